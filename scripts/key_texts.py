@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Prints the texts of the keys of a protocol (labels, meanings, computed defaults) and of the pages of its form as lines
-that lupdate reads."""
+"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults) and of the
+pages of the form of a protocol as lines that lupdate reads."""
 import pathlib
 import re
 import sys
 
-PROTOCOLS = pathlib.Path(__file__).resolve().parent.parent / "protocols"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PROTOCOLS = ROOT / "protocols"
 TOKEN = re.compile(r'//[^\n]*|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\]|\\.)*)"|' r"'(?:[^'\\]|\\.)'|\w+|\S", re.DOTALL)
 BRACKETS = {"(": ")", "{": "}", "[": "]"}
 
@@ -41,6 +42,10 @@ def name_before(tokens, at):
 def texts_among(opening, name, arguments):
     """The texts in the argument positions of labels and meanings."""
     texts = [argument[0][0] if len(argument) == 1 and isinstance(argument[0], tuple) else None for argument in arguments]
+    if name == "reported_as":
+        return texts[:1]
+    if name == "RemovedKey":
+        return texts[1:]
     if opening == "{":  # a word: {name, value, meaning}
         if len(texts) > 3 and all(texts[:3]) and texts[3] is None:  # a page: {id, label, meaning, parts}
             return texts[1:3]
@@ -76,7 +81,9 @@ def main():
     texts = {}
     folders = [PROTOCOLS / name for name in ("keys", "kind_keys", "shapes")]
     paths = [path for folder in folders for path in sorted(folder.iterdir())]
-    for path in paths + [PROTOCOLS / "form" / "form_pages.cpp"]:
+    paths += [PROTOCOLS / "form" / "form_pages.cpp", PROTOCOLS / "file" / "translation.cpp",
+              ROOT / "app" / "study_files" / "rendering_files.cpp"]
+    for path in paths:
         texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
     for text in filter(None, texts):
         print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')

@@ -5,53 +5,66 @@
 #include <charconv>
 #include <cstddef>
 #include <system_error>
+#include <vector>
 
 namespace asperity {
 namespace {
 
-constexpr std::string_view kSpace = "write a space instead";
-constexpr std::string_view kNothing = "delete it";
-constexpr std::string_view kQuotes = "write straight quotation marks (\") instead";
-constexpr std::string_view kMinus = "write a hyphen (-) instead";
-constexpr std::string_view kPoint = "write a decimal point instead";
-constexpr std::string_view kComma = "write a comma (,) instead";
+Phrase space_instead() { return phrase("Characters", "write a space instead"); }
+Phrase nothing_instead() { return phrase("Characters", "delete it"); }
 
-constexpr LookAlike kLookAlikes[] = {
-    {"\xC2\xA0", "a no-break space (U+00A0)", kSpace},
-    {"\xC2\xAD", "a soft hyphen (U+00AD)", kNothing},
-    {"\xC2\xAB", "a typographic quotation mark (U+00AB)", kQuotes},
-    {"\xC2\xBB", "a typographic quotation mark (U+00BB)", kQuotes},
-    {"\xD8\x8C", "an Arabic comma (U+060C)", kComma},
-    {"\xD9\xAB", "an Arabic decimal separator (U+066B)", kPoint},
-    {"\xE2\x80\x87", "a figure space (U+2007)", kSpace},
-    {"\xE2\x80\x89", "a thin space (U+2009)", kSpace},
-    {"\xE2\x80\x8B", "a zero-width space (U+200B)", kNothing},
-    {"\xE2\x80\x8C", "a zero-width non-joiner (U+200C)", kNothing},
-    {"\xE2\x80\x8D", "a zero-width joiner (U+200D)", kNothing},
-    {"\xE2\x80\x8E", "a left-to-right mark (U+200E)", kNothing},
-    {"\xE2\x80\x8F", "a right-to-left mark (U+200F)", kNothing},
-    {"\xE2\x80\x93", "an en dash (U+2013)", kMinus},
-    {"\xE2\x80\x94", "an em dash (U+2014)", kMinus},
-    {"\xE2\x80\x98", "a typographic quotation mark (U+2018)", kQuotes},
-    {"\xE2\x80\x99", "a typographic quotation mark (U+2019)", kQuotes},
-    {"\xE2\x80\x9A", "a typographic quotation mark (U+201A)", kQuotes},
-    {"\xE2\x80\x9C", "a typographic quotation mark (U+201C)", kQuotes},
-    {"\xE2\x80\x9D", "a typographic quotation mark (U+201D)", kQuotes},
-    {"\xE2\x80\x9E", "a typographic quotation mark (U+201E)", kQuotes},
-    {"\xE2\x80\xA8", "a line separator (U+2028)", kSpace},
-    {"\xE2\x80\xAF", "a narrow no-break space (U+202F)", kSpace},
-    {"\xE2\x81\xA0", "a word joiner (U+2060)", kNothing},
-    {"\xE2\x88\x92", "a minus sign (U+2212)", kMinus},
-    {"\xE3\x80\x80", "an ideographic space (U+3000)", kSpace},
-    {kByteOrderMark, "a byte order mark (U+FEFF)", kNothing},
-    {"\xEF\xBC\x8C", "a full-width comma (U+FF0C)", kComma},
-    {"\xEF\xBC\x8E", "a full-width full stop (U+FF0E)", kPoint},
-    {"\xEF\xBC\x9A", "a full-width colon (U+FF1A)", "write a colon (:) instead"},
-};
+LookAlike row(std::string_view bytes, const char* code_point, const Phrase& name,
+              const Phrase& correction) {
+  return {bytes, Phrase("%1 (U+%2)").with(name, code_point), correction};
+}
+
+std::vector<LookAlike> look_alikes() {
+  const Phrase space = space_instead();
+  const Phrase nothing = nothing_instead();
+  const Phrase quotation_mark = phrase("Characters", "a typographic quotation mark");
+  const Phrase quotes = phrase("Characters", "write straight quotation marks (\") instead");
+  const Phrase hyphen = phrase("Characters", "write a hyphen (-) instead");
+  const Phrase point = phrase("Characters", "write a decimal point instead");
+  const Phrase comma = phrase("Characters", "write a comma (,) instead");
+  return {
+      row("\xC2\xA0", "00A0", phrase("Characters", "a no-break space"), space),
+      row("\xC2\xAD", "00AD", phrase("Characters", "a soft hyphen"), nothing),
+      row("\xC2\xAB", "00AB", quotation_mark, quotes),
+      row("\xC2\xBB", "00BB", quotation_mark, quotes),
+      row("\xD8\x8C", "060C", phrase("Characters", "an Arabic comma"), comma),
+      row("\xD9\xAB", "066B", phrase("Characters", "an Arabic decimal separator"), point),
+      row("\xE2\x80\x87", "2007", phrase("Characters", "a figure space"), space),
+      row("\xE2\x80\x89", "2009", phrase("Characters", "a thin space"), space),
+      row("\xE2\x80\x8B", "200B", phrase("Characters", "a zero-width space"), nothing),
+      row("\xE2\x80\x8C", "200C", phrase("Characters", "a zero-width non-joiner"), nothing),
+      row("\xE2\x80\x8D", "200D", phrase("Characters", "a zero-width joiner"), nothing),
+      row("\xE2\x80\x8E", "200E", phrase("Characters", "a left-to-right mark"), nothing),
+      row("\xE2\x80\x8F", "200F", phrase("Characters", "a right-to-left mark"), nothing),
+      row("\xE2\x80\x93", "2013", phrase("Characters", "an en dash"), hyphen),
+      row("\xE2\x80\x94", "2014", phrase("Characters", "an em dash"), hyphen),
+      row("\xE2\x80\x98", "2018", quotation_mark, quotes),
+      row("\xE2\x80\x99", "2019", quotation_mark, quotes),
+      row("\xE2\x80\x9A", "201A", quotation_mark, quotes),
+      row("\xE2\x80\x9C", "201C", quotation_mark, quotes),
+      row("\xE2\x80\x9D", "201D", quotation_mark, quotes),
+      row("\xE2\x80\x9E", "201E", quotation_mark, quotes),
+      row("\xE2\x80\xA8", "2028", phrase("Characters", "a line separator"), space),
+      row("\xE2\x80\xAF", "202F", phrase("Characters", "a narrow no-break space"), space),
+      row("\xE2\x81\xA0", "2060", phrase("Characters", "a word joiner"), nothing),
+      row("\xE2\x88\x92", "2212", phrase("Characters", "a minus sign"), hyphen),
+      row("\xE3\x80\x80", "3000", phrase("Characters", "an ideographic space"), space),
+      row(kByteOrderMark, "FEFF", phrase("Characters", "a byte order mark"), nothing),
+      row("\xEF\xBC\x8C", "FF0C", phrase("Characters", "a full-width comma"), comma),
+      row("\xEF\xBC\x8E", "FF0E", phrase("Characters", "a full-width full stop"), point),
+      row("\xEF\xBC\x9A", "FF1A", phrase("Characters", "a full-width colon"),
+          phrase("Characters", "write a colon (:) instead")),
+  };
+}
 
 }  // namespace
 
 std::optional<LookAlike> look_alike_at(std::string_view text) {
+  static const std::vector<LookAlike> kLookAlikes = look_alikes();
   for (const LookAlike& each : kLookAlikes) {
     if (text.starts_with(each.bytes)) return each;
   }
@@ -68,8 +81,9 @@ std::optional<LookAlike> first_look_alike(std::string_view text) {
 
 std::string number_correction(std::string_view cell) {
   if (const auto found = first_look_alike(cell)) {
-    const std::string_view remedy = found->remedy == kSpace ? kNothing : found->remedy;
-    return "with " + std::string(found->name) + "; " + std::string(remedy);
+    const bool is_space = found->correction == space_instead();
+    return "with " + found->character.english() + "; " +
+           (is_space ? nothing_instead() : found->correction).english();
   }
   if (const std::size_t comma = cell.find(','); comma != std::string_view::npos) {
     std::string pointed(cell);

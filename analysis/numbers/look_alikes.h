@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// How some programs begin a file in UTF-8.
@@ -17,9 +19,9 @@ inline std::string_view without_byte_order_mark(std::string_view text) noexcept 
 }
 
 struct LookAlike {
-  std::string_view bytes{};   ///< in UTF-8
-  std::string_view name{};    ///< with its article and code point: "a no-break space (U+00A0)"
-  std::string_view remedy{};  ///< what to do: "write a space instead"
+  std::string_view bytes{};  ///< in UTF-8
+  Phrase character{};        ///< with its article and code point: "a no-break space (U+00A0)"
+  Phrase correction{};       ///< what to do: "write a space instead"
 };
 
 /// The character at the beginning of a text in UTF-8, if a reader would not notice it: spaces without a break or width,

@@ -50,7 +50,7 @@ nlohmann::ordered_json json_of(const std::vector<Diagnostic>& diagnostics) {
     json.push_back({{"line", nullptr},
                     {"column", nullptr},
                     {"pointer", diagnostic.pointer},
-                    {"message", diagnostic.message}});
+                    {"message", diagnostic.message.english()}});
     if (diagnostic.line == 0) continue;  // the file could not be read
     json.back()["line"] = diagnostic.line;
     json.back()["column"] = diagnostic.column;

@@ -60,7 +60,7 @@ std::map<std::string, double> given_limits(const std::vector<std::string>& texts
     const auto [item, limit] = item_limit(text);
     if (const auto complaint = complaint_about({.item = item, .limit = limit}, rate_Hz)) {
       throw WrongUsage("--limit " + text +
-                       " is not a limit that a protocol can set: " + *complaint);
+                       " is not a limit that a protocol can set: " + complaint->english());
     }
     if (!limits.emplace(item, limit).second) {
       throw WrongUsage("--limit " + item + " is given twice; give it once");

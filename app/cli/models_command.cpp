@@ -77,19 +77,19 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
     json["choices"] =
         is_choice ? nlohmann::ordered_json(parameter.choices) : nlohmann::ordered_json();
     json["default"] = json_of_value(parameter.default_value);
-    json["meaning"] = parameter.meaning;
+    json["meaning"] = parameter.meaning.english();
     parameters.push_back(std::move(json));
     if (is_shared(parameter.name)) shared.push_back(parameter.name);
   }
   nlohmann::ordered_json assets = nlohmann::ordered_json::array();
   for (const AssetDeclaration& asset : model.assets) {
-    assets.push_back({{"role", asset.role}, {"meaning", asset.meaning}});
+    assets.push_back({{"role", asset.role}, {"meaning", asset.meaning.english()}});
   }
   nlohmann::ordered_json plugin{};
   if (force.plugin) plugin = {{"file", force.plugin->file}, {"sha256", force.plugin->sha256}};
   return {{"id", model.id},
           {"version", model.version},
-          {"summary", model.summary},
+          {"summary", model.summary.english()},
           {"source", model.source},
           {"conservative_with", json_of_condition(force.conservative_with)},
           {"needs_height_field", model.needs_height_field},
@@ -109,15 +109,15 @@ nlohmann::ordered_json json_of_model(const ForceModel& force) {
 
 void print_model(const ForceModel& force) {
   const ModelDeclaration& model = force.declaration;
-  std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
-            << model.source
+  std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary.english()
+            << "\n  " << model.source
             << "\n  conservative without friction: " << condition_text(force.conservative_with)
             << '\n';
   if (force.plugin) {
     std::cout << "  plug-in " << force.plugin->file << ", SHA-256 " << force.plugin->sha256 << '\n';
   }
   for (const AssetDeclaration& asset : model.assets) {
-    std::cout << "  needs the asset " << asset.role << ": " << asset.meaning << '\n';
+    std::cout << "  needs the asset " << asset.role << ": " << asset.meaning.english() << '\n';
   }
   std::cout << "  highest frequency of the texture in Hz: " << force.band_formula
             << "\n  moves by itself: " << condition_text(force.moves_by_itself_with) << '\n';

@@ -46,7 +46,8 @@ void add_synth(CLI::App& program, Job& job) {
   std::string footer{};
   for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
     kinds += (kinds.empty() ? "" : " ") + surface.kind;
-    footer += surface.kind + ": " + surface.summary + '\n' + described(surface.parameters);
+    footer +=
+        surface.kind + ": " + surface.summary.english() + '\n' + described(surface.parameters);
   }
   CLI::App* command = program.add_subcommand("synth", "Generate a surface with known heights.");
   command->footer("Kinds and their parameters\n" + footer);
@@ -57,10 +58,12 @@ void add_synth(CLI::App& program, Job& job) {
       ->required();
   command->add_option("--param", options->parameters, "Parameter of the kind, NAME=VALUE");
   const std::vector<Parameter> canvas = canvas_parameters();
-  command->add_option("--width-m", options->canvas.width_m, canvas[0].meaning)
+  command->add_option("--width-m", options->canvas.width_m, canvas[0].meaning.english())
       ->capture_default_str();
-  command->add_option("--pixels", options->canvas.pixels, canvas[1].meaning)->capture_default_str();
-  command->add_option("--seed", options->canvas.seed, canvas[2].meaning)->capture_default_str();
+  command->add_option("--pixels", options->canvas.pixels, canvas[1].meaning.english())
+      ->capture_default_str();
+  command->add_option("--seed", options->canvas.seed, canvas[2].meaning.english())
+      ->capture_default_str();
   command
       ->add_option("--photo", options->photograph,
                    "Also write a synthetic photograph of the surface: bright_height, lambert or "
@@ -104,8 +107,8 @@ void add_synth(CLI::App& program, Job& job) {
       std::cout << height_field_line(options->out, field);
       const auto warn = [&](const auto& warning, const char* option) {
         if (!warning) return;
-        say("asperity: warning: " + options->out.string() + ": " + text_of(*warning) + " (" +
-            option + ')');
+        say("asperity: warning: " + options->out.string() + ": " + text_of(*warning).english() +
+            " (" + option + ')');
       };
       warn(seam_of(surface->kind, values, options->canvas), "--width-m");
       warn(coarse_samples_of(surface->kind, values, options->canvas), "--pixels");

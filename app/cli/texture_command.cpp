@@ -201,7 +201,8 @@ void texture_of_photograph(TextureOptions& options, std::span<const std::byte> b
   std::cout << height_field_line(options.out, texture.field);
   // The advice is about brightness as height, and a method that uses the light answers the question about it.
   if (!texture_method(recipe.method).uses_light) {
-    for (const std::string& text : {advice(evidence), recommendation_text(evidence, recipe)}) {
+    for (const std::string& text :
+         {advice(evidence).english(), recommendation_text(evidence, recipe)}) {
       std::cout << wrapped_text(text, kTerminalColumns) << '\n';
     }
   }
@@ -288,7 +289,7 @@ void add_texture(CLI::App& program, Job& job) {
   std::string words{};
   for (const TextureMethod& method : texture_methods()) {
     methods.push_back(method.id);
-    summaries += (summaries.empty() ? "" : "; ") + method.id + ": " + method.summary;
+    summaries += (summaries.empty() ? "" : "; ") + method.id + ": " + method.summary.english();
     words += (words.empty() ? "" : "|") + method.id;
   }
   photographs(command

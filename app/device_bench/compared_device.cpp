@@ -19,7 +19,6 @@
 #include "device/simulated_models.h"
 #include "device/virtual_hand.h"
 #include "protocols/file/json_document.h"
-#include "results_schema/error_text.h"
 
 namespace asperity {
 namespace {
@@ -55,16 +54,17 @@ DampedResponse response_of(const SimulatedDeviceSettings& settings,
   return response;
 }
 
-using Warn = std::function<void(const std::string& sentence)>;
+using Warn = std::function<void(const Phrase& sentence)>;
 
 /// What no measurement of a simulated device will tell of the one that it stands for.
 void tell_unknown(const SoughtDevice& device, const Warn& warn) {
   const std::vector<DeviceTrait> missing = not_compared(device.not_known);
   if (missing.empty()) return;
   const std::string real(model_stood_for(device.wanted.which.model));
-  warn("these properties of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
-       " models, are unknown: " + listed_traits(missing).english() +
-       "; no stimulus was compared with them. Measure the real device as soon as it is available");
+  warn(phrase("Protocols",
+              "these properties of %1, which %2 models, are unknown: %3; no stimulus was compared "
+              "with them. Measure the real device as soon as it is available")
+           .with(real, in_quotation_marks(name_of(device.wanted)), listed_traits(missing)));
 }
 
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
@@ -79,14 +79,16 @@ void look_for(const Driver& driver, const std::string& which, const DriverOption
     sought.wanted.which.serial = found.serial;
     sought.is_attached = true;
   } catch (const std::exception& error) {
-    sought.absence = message_of(error);
+    sought.absence = phrase_of(error);
   }
 }
 
-std::string words_for(const SoughtDevice& device) {
+/// Behind "the study has no profile of".
+Phrase words_for(const SoughtDevice& device) {
   const WhichDevice& which = device.wanted.which;
   if (!device.is_attached) return in_quotation_marks(name_of(device.wanted));
-  return "the attached device " + which.name + (which.serial.empty() ? "" : ' ' + which.serial);
+  return phrase("Protocols", "the attached device %1")
+      .with(which.name + (which.serial.empty() ? "" : ' ' + which.serial));
 }
 
 /// What the profile leaves open, beside what nobody knows.
@@ -97,25 +99,31 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
     if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
-    warn("the profile has no value for " + comma_separated(missing) +
-         "; no stimulus was compared with the missing values. Measure the device again");
+    warn(phrase("Protocols",
+                "the profile has no value for %1; no stimulus was compared with the missing "
+                "values. Measure the device again")
+             .with(comma_separated(missing)));
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
-    warn("the profile is dated " + profile.measured_utc +
-         ", which is in the future; correct the clock of the computer, and measure the device "
-         "again");
+    warn(phrase("Protocols",
+                "the profile is dated %1, which is in the future; correct the clock of the "
+                "computer, and measure the device again")
+             .with(profile.measured_utc));
   }
 }
 
-/// What is compared without a profile, as the beginning of a sentence.
-std::string exception_for(const FrictionRehearsal& friction, bool has_position_step) {
-  std::string compared = "friction";
-  if (!friction.not_compared.empty()) {
-    compared = friction.has_compared ? "the friction of some stimuli" : "";
+/// What is compared without a profile, before "no stimulus was compared".
+Phrase exception_for(const FrictionRehearsal& friction, bool has_position_step) {
+  if (friction.not_compared.empty()) {
+    return has_position_step ? phrase("Protocols", "except for friction and position steps, ")
+                             : phrase("Protocols", "except for friction, ");
   }
-  if (has_position_step)
-    compared += (compared.empty() ? "" : " and ") + std::string("position steps");
-  return compared.empty() ? "" : "except for " + compared + ", ";
+  if (friction.has_compared) {
+    return has_position_step
+               ? phrase("Protocols", "except for the friction of some stimuli and position steps, ")
+               : phrase("Protocols", "except for the friction of some stimuli, ");
+  }
+  return has_position_step ? phrase("Protocols", "except for position steps, ") : Phrase();
 }
 
 }  // namespace
@@ -142,8 +150,8 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
   if (driver == nullptr) {
     std::string names{};
     for (const Driver& known : drivers.drivers()) names += (names.empty() ? "" : ", ") + known.id;
-    sought.absence =
-        "there is no device " + in_quotation_marks(device) + "; choose one of: " + names;
+    sought.absence = phrase("Protocols", "there is no device %1; choose one of: %2")
+                         .with(in_quotation_marks(device), names);
     return sought;
   }
   sought.wanted.has_motors = driver->has_motors;
@@ -155,7 +163,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
       with_reader.recorded_hand = recorded_hand;
       (void)driver->open(which, with_reader);
     } catch (const std::exception& error) {
-      sought.refusal = message_of(error);
+      sought.refusal = phrase_of(error);
     }
     return sought;
   }
@@ -173,19 +181,20 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
                               const StimuliCourse& course) {
   DeviceComparison comparison{.refusal = device.refusal};
   const JsonDocument document(protocol.source, file_name);
-  const auto warn_at = [&](const std::string& pointer, const std::string& sentence) {
+  const auto warn_at = [&](const std::string& pointer, const Phrase& sentence) {
     comparison.warnings.push_back(document.at_key(pointer, sentence));
   };
-  const Warn warn = [&](const std::string& sentence) { warn_at("/device", sentence); };
+  const Warn warn = [&](const Phrase& sentence) { warn_at("/device", sentence); };
   const std::string name = in_quotation_marks(name_of(device.wanted));
   const bool is_simulated = kind_of_device(name_of(device.wanted)) == DeviceKind::simulated;
   if (!device.absence.empty()) {
-    warn("no session can start on " + name + " at present: " + device.absence);
+    warn(phrase("Protocols", "no session can start on %1 at present: %2")
+             .with(name, device.absence));
   }
   if (!comparison.refusal.empty()) return comparison;
   const auto warn_of = [&](const std::vector<RehearsalWarning>& found) {
     for (const RehearsalWarning& warning : found) {
-      warn_at(warning.pointer, warning.text.english());
+      warn_at(warning.pointer, warning.text);
     }
   };
   // What needs no measurement.
@@ -202,15 +211,16 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     if (!device.wanted.has_motors || !device.position_step_m) return;
     warn_of(position_step_warnings(protocol, builder, *device.position_step_m));
   };
-  const std::string except_known =
-      exception_for(friction, device.position_step_m.value_or(0.0) > 0.0);
+  const Phrase except_known = exception_for(friction, device.position_step_m.value_or(0.0) > 0.0);
   const std::string of_itself = "the force and the rate of " + name;
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
-      warn(except_known + "no stimulus was compared with " + name +
-           ": the profile of a device is stored in a study; name the study with --study DIR");
+      warn(phrase("Protocols",
+                  "%1no stimulus was compared with %2: the profile of a device is stored in a "
+                  "study; name the study with --study DIR")
+               .with(except_known, name));
     }
     StimulusBuilder without_files(models, {});
     warn_without_profile(without_files);
@@ -234,21 +244,22 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
         warn_of(
             rehearse_friction(protocol, models, damped_response_of(*found.profile)).not_compared);
       } else if (device.wanted.has_motors) {
-        warn("the study has no profile of " + words_for(device) + ": " + except_known +
-             "no stimulus and no limit of the protocol was compared with it; measure the device "
-             "with " +
-             command_to_measure(device.wanted, *study));
+        warn(phrase("Protocols",
+                    "the study has no profile of %1: %2no stimulus and no limit of the protocol "
+                    "was compared with it; measure the device with %3")
+                 .with(words_for(device), except_known, command_to_measure(device.wanted, *study)));
       }
       comparison.profile = std::move(found.profile);
-      comparison.refusal = found.refusal.english();
+      comparison.refusal = found.refusal;
     } catch (const std::exception& error) {
-      comparison.refusal = message_of(error);
+      comparison.refusal = phrase_of(error);
     }
   }
   if (!device.wanted.has_motors) {
-    warn(name +
-         " exerts no force: no stimulus was compared with it; to compare them, name a device with "
-         "motors");
+    warn(phrase("Protocols",
+                "%1 exerts no force: no stimulus was compared with it; to compare them, name a "
+                "device with motors")
+             .with(name));
   }
   return comparison;
 }

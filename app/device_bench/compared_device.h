@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/session/rehearsal/rehearsal.h"
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "device/drivers.h"
@@ -20,9 +21,9 @@ struct SoughtDevice {
   WantedDevice wanted{};
   bool is_attached = false;  ///< its driver sees it
   /// A sentence: why no session could begin on it now, on this computer; empty where nothing is known against it.
-  std::string absence{};
+  Phrase absence{};
   /// A sentence: why none could on any (a recording that cannot be read); empty where one could.
-  std::string refusal{};
+  Phrase refusal{};
   /// Of a simulated device that stands for a real one: DeviceCapability::not_known.
   std::vector<DeviceTrait> not_known{};
   /// What is known without a measurement: of a simulated device its properties, of others the driver's estimate of
@@ -41,7 +42,7 @@ struct DeviceComparison {
   std::string compared{};  ///< with what; empty: with nothing
   /// What falls short, where the protocol asks for it; what was not compared, and why, at its "/device".
   std::vector<Diagnostic> warnings{};
-  std::string refusal{};  ///< why no person's session begins; empty: one does
+  Phrase refusal{};  ///< why no person's session begins; empty: one does
   std::optional<DeviceProfile> profile{};
 };
 /// Compares them as a session would at `now_utc`; without a study nothing is known of the device but what the simulated

@@ -13,7 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/numbers/number_text.h"
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "renderers/servo/servo_thread.h"
 #include "renderers/servo/servo_time.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/drivers.h"
 
 namespace asperity {

@@ -8,9 +8,10 @@
 #include <stop_token>
 #include <string>
 
+#include "analysis/words/phrase.h"
 #include "app/device_bench/device_test.h"
 #include "app/profiles/device_profile.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "device/haptic_device.h"
 #include "device/virtual_hand.h"
 #include "results_schema/study.h"

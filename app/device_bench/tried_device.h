@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/device_capability.h"
 #include "device/drivers.h"
 #include "protocols/design/protocol.h"

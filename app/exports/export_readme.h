@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/exports/export_options.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

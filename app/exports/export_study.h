@@ -7,9 +7,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/export_options.h"
-#include "app/words/phrase.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
 

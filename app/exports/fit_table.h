@@ -13,10 +13,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "analysis/words/phrase.h"
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_folder.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/exports/bids.h"
 #include "app/exports/codebook_file.h"
 #include "app/exports/columns/export_column.h"
@@ -17,7 +18,6 @@
 #include "app/exports/sav_table.h"
 #include "app/exports/wide_table.h"
 #include "app/records/session_timeline.h"
-#include "app/words/phrase.h"
 #include "results_schema/study.h"
 
 namespace asperity {

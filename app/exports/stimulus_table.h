@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/exports/columns/export_column.h"
 #include "app/exports/export_folder.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

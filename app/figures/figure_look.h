@@ -5,7 +5,7 @@
 #include <QtCore/QString>
 #include <QtGui/QColor>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

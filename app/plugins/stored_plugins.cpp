@@ -42,9 +42,9 @@ Json json_of(const ModelDeclaration& declaration) {
                           {"choices", parameter.choices},
                           {"default", std::visit([](const auto& one) { return Json(one); },
                                                  parameter.default_value)},
-                          {"meaning", parameter.meaning}});
+                          {"meaning", parameter.meaning.english()}});
   }
-  return {{"summary", declaration.summary},
+  return {{"summary", declaration.summary.english()},
           {"source", declaration.source},
           {"needs_height_field", declaration.needs_height_field},
           {"feels_applied_force", declaration.feels_applied_force},

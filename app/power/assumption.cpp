@@ -101,7 +101,9 @@ void set_assumption(std::span<Assumption> assumptions, std::string_view name, do
   if (is_known) return;
   std::vector<std::string> names{};
   for (const Assumption& assumption : assumptions) names.push_back(assumption.name);
-  throw std::runtime_error(unknown_name("assumption", std::string(name), names));
+  throw std::runtime_error(
+      with_declared_names("there is no assumption " + in_quotes(name), std::string(name), names)
+          .english());
 }
 
 std::vector<Assumption> with_assumptions_of_file(std::vector<Assumption> assumptions,

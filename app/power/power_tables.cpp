@@ -59,7 +59,7 @@ TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::B
   }
   const ExperimentKind& kind = *kind_of_question(of_block, question);
   if (kind.responses == nullptr) {
-    refuse(block, "the kind \"" + std::string(kind.name) + "\" has no response table");
+    refuse(block, "the kind \"" + kind.name.english() + "\" has no response table");
   }
   TabulatedBlock::OfQuestion made{.asked = tabulated_question(protocol, block, question, possible),
                                   .table = kind.responses,

@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "analysis/signals/device_response.h"
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/device_trait.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "analysis/words/phrase.h"
 #include "app/profiles/device_profile.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

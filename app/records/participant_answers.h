@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/rows.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/study.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/rows.h"
 

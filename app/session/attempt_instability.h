@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/session/stimulus_builder.h"
-#include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "renderers/offline/perceived_instability.h"
 #include "results_schema/rows.h"

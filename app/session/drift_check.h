@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/device_capability.h"
 #include "renderers/servo/tick_record.h"
 #include "results_schema/rows.h"

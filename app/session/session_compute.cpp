@@ -7,7 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/error_text.h"
 

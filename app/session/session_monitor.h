@@ -15,8 +15,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "analysis/words/phrase.h"
 #include "app/session/respondents/participant_scene.h"
-#include "app/words/phrase.h"
 #include "protocols/plan/plan.h"
 #include "protocols/procedures/level_answer.h"
 #include "renderers/servo/servo_loop.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "renderers/servo/servo_loop.h"
 
 namespace asperity {

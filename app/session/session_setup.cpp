@@ -9,9 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/random.h"
+#include "analysis/words/phrase.h"
 #include "app/session/trial_outcome.h"
 #include "app/study_files/dealt_places.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/hashes/sha256.h"

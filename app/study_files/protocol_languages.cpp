@@ -99,23 +99,28 @@ ProtocolSource protocol_source(const std::filesystem::path& file) {
   const std::filesystem::path own = protocol_of(file);
   if (!std::filesystem::exists(own)) {
     throw ProtocolError({{file.string(), 1, 1, "",
-                          "this translation belongs to the protocol " + own.filename().string() +
-                              ", which is not in the same folder"}});
+                          phrase("Protocols",
+                                 "this translation belongs to the protocol %1, which is not in the "
+                                 "same folder")
+                              .with(own.filename().string())}});
   }
   const std::string text = read_file(own, kProtocolFile);
   const std::string language = language_in_name(file);
   if (!valid_part(language, kProtocolTable.find("language")->shape, "", "").problems.empty()) {
     throw ProtocolError(
         {{file.string(), 1, 1, "",
-          in_quotes(language) +
-              " in the name of this file is not a language; name it by a BCP 47 tag, such as " +
-              own.stem().string() + ".de.json"}});
+          phrase("Protocols",
+                 "%1 in the name of this file is not a language; name it by a BCP 47 tag, such as "
+                 "%2.de.json")
+              .with(in_quotes(language), own.stem().string())}});
   }
   if (language_of(text) == language) {
     throw ProtocolError(
         {{file.string(), 1, 1, "",
-          "the protocol " + own.filename().string() + " is in the language " + in_quotes(language) +
-              " itself; name the translation after another language"}});
+          phrase("Protocols",
+                 "the protocol %1 is in the language %2 itself; name the translation after another "
+                 "language")
+              .with(own.filename().string(), in_quotes(language))}});
   }
   TranslatedProtocol made = translated(text, own.string(), {*translation, file.string(), language});
   if (!made.problems.empty()) throw ProtocolError(std::move(made.problems));

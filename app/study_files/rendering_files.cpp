@@ -84,17 +84,18 @@ Rendering rendering_in(const std::string& text, const std::string& file) {
   const nlohmann::json format =
       root.is_object() ? root.value("format", nlohmann::json{}) : nlohmann::json{};
   if (!format.is_string() || !format.get<std::string>().starts_with("asperity.rendering/")) {
-    throw ProtocolError(
-        {document.at("/format",
-                     "this is not a rendering; a rendering is an object {…} that begins with "
-                     "\"format\": \"asperity.rendering/1\"")});
+    throw ProtocolError({document.at(
+        "/format", phrase("Protocols",
+                          "this is not a rendering; a rendering is an object {…} that begins "
+                          "with \"format\": \"asperity.rendering/1\""))});
   }
   if (format != kRenderingFormat) {
     throw ProtocolError({document.at(
-        "/format", "this version reads " + std::string(kRenderingFormat) + ", not " +
-                       format.get<std::string>() +
-                       "; use the version of Asperity that wrote the file, or save the rendering "
-                       "again in the workbench of this one")});
+        "/format",
+        phrase("Protocols",
+               "this version reads %1, not %2; use the version of Asperity that wrote the file, or "
+               "save the rendering again in the workbench of this one")
+            .with(kRenderingFormat, format.get<std::string>()))});
   }
   if (std::vector<Diagnostic> problems = check_form(document, kRenderingTable); !problems.empty()) {
     throw ProtocolError(std::move(problems));

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "results_schema/study.h"
 
 namespace asperity {

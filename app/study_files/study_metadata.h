@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

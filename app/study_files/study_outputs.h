@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -8,8 +8,9 @@
 #include <system_error>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/study_files/protocol_languages.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"

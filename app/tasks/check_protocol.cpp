@@ -16,6 +16,7 @@
 #include "app/tasks/warnings/checked_protocol.h"
 #include "app/tasks/warnings/level_problems.h"
 #include "app/tasks/warnings/named_files.h"
+#include "app/words/phrased_error.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/design/wording.h"
@@ -29,23 +30,23 @@
 #include "protocols/warnings/text_warnings.h"
 #include "protocols/warnings/texture_use_warnings.h"
 #include "protocols/warnings/warnings.h"
-#include "results_schema/error_text.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
 
 namespace {
 
-/// "no session can run in the language "de": WHAT a problem at line 3: …"
+/// `sentence`: with the language, the name of its file and the problems in place of %1 to %3.
 Diagnostic unusable_language(const std::string& file, const ProtocolInLanguage& translation,
-                             const std::string& what, const std::vector<Diagnostic>& problems) {
+                             const Phrase& sentence, const std::vector<Diagnostic>& problems) {
   const Diagnostic& first = problems.front();
+  const Phrase found =
+      (problems.size() == 1 ? phrase("Protocols", "a problem at line %2: %3")
+                            : phrase("Protocols", "%1 problems, the first at line %2: %3"))
+          .with(std::to_string(problems.size()), std::to_string(first.line), first.message);
   return {
       file, 1, 1, "",
-      "no session can run in the language " + in_quotes(translation.language) + ": " + what +
-          (problems.size() == 1 ? " a problem"
-                                : ' ' + std::to_string(problems.size()) + " problems, the first") +
-          " at line " + std::to_string(first.line) + ": " + first.message};
+      sentence.with(in_quotes(translation.language), translation.file.filename().string(), found)};
 }
 
 /// A warning for every translation of the protocol that cannot be used, and for translated texts that contradict the design.
@@ -54,23 +55,27 @@ std::vector<Diagnostic> warnings_about_translations(const std::string& file,
   std::vector<Diagnostic> warnings{};
   for (const ProtocolInLanguage& each : languages_of_protocol(file)) {
     if (each.file == file) continue;
-    const std::string name = each.file.filename().string();
     try {
       const std::string text = protocol_source(each.file).text;
       const ProtocolReading reading =
           read_protocol_with_problems(text, file, declarations_of(models));
       if (!reading.problems.empty()) {
-        warnings.push_back(
-            unusable_language(file, each, "with " + name + " the protocol has", reading.problems));
+        warnings.push_back(unusable_language(
+            file, each,
+            phrase("Protocols",
+                   "no session can run in the language %1: with %2 the protocol has %3"),
+            reading.problems));
         continue;
       }
       const Plan example = example_plan(*reading.protocol, {1, 0});
       for (Diagnostic& warning : warnings_about_texts(*reading.protocol, file, example)) {
-        warning.message = name + ": " + warning.message;
+        warning.message = Phrase("%1: %2").with(each.file.filename().string(), warning.message);
         warnings.push_back(std::move(warning));
       }
     } catch (const ProtocolError& error) {
-      warnings.push_back(unusable_language(file, each, name + " has", error.diagnostics()));
+      warnings.push_back(unusable_language(
+          file, each, phrase("Protocols", "no session can run in the language %1: %2 has %3"),
+          error.diagnostics()));
     }
   }
   return warnings;
@@ -107,7 +112,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   } catch (const ProtocolError& error) {
     check.diagnostics = error.diagnostics();
   } catch (const std::exception& error) {
-    check.diagnostics.push_back({found, 0, 0, "", message_of(error)});
+    check.diagnostics.push_back({found, 0, 0, "", phrase_of(error)});
   }
   check.file = found;
   return check;
@@ -121,7 +126,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   ProtocolCheck check{};
   check.file = file_name;
   check.text = text;
-  const auto whole_file = [&check](const std::string& message) {
+  const auto whole_file = [&check](const Phrase& message) {
     check.diagnostics.push_back({check.file, 1, 1, "", message});
   };
   ProtocolReading reading{};
@@ -129,7 +134,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     reading = read_protocol_with_problems(text, file_name, declarations_of(models));
     if (reading.has_form) check.warnings = warnings_about(*reading.protocol, file_name);
   } catch (const std::exception& error) {
-    whole_file(message_of(error));
+    whole_file(phrase_of(error));
     return check;
   }
   check.diagnostics = reading.problems;
@@ -157,8 +162,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
       const SimulatedDevice simulated(hand, *settings);
       for (const Phrase& complaint :
            complaints_about_device(*check.protocol, simulated.capability())) {
-        whole_file(complaint.english() +
-                   "; choose another device, or relax the requirement in the protocol");
+        whole_file(phrase("Protocols",
+                          "%1; choose another device, or relax the requirement in the protocol")
+                       .with(complaint));
       }
     }
   }

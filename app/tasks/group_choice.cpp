@@ -21,7 +21,7 @@ std::optional<Phrase> complaint_about_group(const Protocol& protocol,
   }
   if (stated && std::find(groups.begin(), groups.end(), *stated) == groups.end()) {
     return phrase("GroupChoice", "the protocol \"%1\" has no group \"%2\"; use %3")
-        .with(protocol.name, *stated, one_of(groups));
+        .with(protocol.name, *stated, joined_by_or(quoted(groups)));
   }
   if (stated && before && *stated != *before) {
     return phrase("GroupChoice",
@@ -40,7 +40,7 @@ std::optional<Phrase> complaint_about_group(const Protocol& protocol,
     return phrase("GroupChoice",
                   "the experimenter assigns the groups of the protocol \"%1\"; state the group of "
                   "the participant with --group: %2")
-        .with(protocol.name, one_of(groups));
+        .with(protocol.name, joined_by_or(quoted(groups)));
   }
   return {};
 }

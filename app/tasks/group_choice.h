@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

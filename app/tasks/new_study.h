@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -12,7 +12,9 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/template_overviews.h"
+#include "app/words/phrased_error.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/json_document.h"
 #include "protocols/form/form_edits.h"
@@ -21,7 +23,6 @@
 #include "protocols/keys/names_in.h"
 #include "protocols/shapes/key.h"
 #include "protocols/warnings/text_warnings.h"
-#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -177,7 +178,7 @@ RenderingRemarks remarks_about(const Rendering& rendering, const ModelRegistry& 
         phrase("Renderings",
                "The texture %1 cannot be read: %2. Restore the file, or save "
                "the rendering of another texture.")
-            .with(texture, message_of(error)));
+            .with(texture, phrase_of(error)));
   }
   return remarks;
 }
@@ -248,7 +249,8 @@ std::string with_rendering(const std::string& protocol, const Rendering& renderi
   const JsonDocument document(text, kProtocol);
   const json::json_pointer path(surface);
   if (!document.root().contains(path)) {
-    throw ProtocolError({document.at(surface, "there is no surface \"" + *place.replaced + "\"")});
+    throw ProtocolError({document.at(
+        surface, phrase("Protocols", "there is no surface %1").with(in_quotes(*place.replaced)))});
   }
   std::vector<std::string> gone{};
   for (const char* const key : kInTheWay) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/study_files/rendering_files.h"
-#include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"
 

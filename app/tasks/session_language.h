@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/words/phrase.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/protocol_languages.h"
 #include "app/study_files/rendering_files.h"
@@ -18,7 +19,7 @@
 #include "app/tasks/rendering_use.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/template_overviews.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/json_document.h"

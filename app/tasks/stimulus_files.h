@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -27,12 +27,12 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/tasks/warnings/session_warnings.h"
+#include "app/words/phrased_error.h"
 #include "device/simulated_device.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/folder_entries.h"
 #include "results_schema/hashes/sha256.h"
@@ -416,7 +416,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
       if (body) look_at(stimulus, *body);
       if (body && see) see(overviews.size(), body);
     } catch (const std::exception& error) {
-      stimulus.problem = message_of(error);
+      stimulus.problem = phrase_of(error);
     }
     overviews.push_back(std::move(stimulus));
   };

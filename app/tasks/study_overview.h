@@ -162,7 +162,7 @@ struct StimulusOverview {
 
   /// Names of protocols; of a rendering those with its values, which do not depend on it.
   std::vector<std::string> used_by{};
-  std::string problem{};  ///< why it cannot be used; empty when it can
+  Phrase problem{};  ///< why it cannot be used; empty when it can
 };
 /// Receives every body while it is in memory, with its index in the list: the textures of many
 /// bodies would need too much memory.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/records/session_conditions.h"
-#include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 

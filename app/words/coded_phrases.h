@@ -8,8 +8,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "app/words/phrase_registry.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "device/device_trait.h"
 
 namespace asperity {

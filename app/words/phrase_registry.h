@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

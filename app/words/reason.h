@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "renderers/servo/servo_loop.h"
 
 namespace asperity {

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

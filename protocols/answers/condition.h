@@ -2,15 +2,14 @@
 
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace asperity {
+#include "analysis/words/phrase.h"
 
-struct Question;
+namespace asperity {
 
 /// A value that an answer can have: a number, or an option.
 using AnswerValue = std::variant<double, std::string>;
@@ -48,11 +47,8 @@ using FormAnswer = std::vector<std::string>;
 /// `answer`: that of the condition's question; empty also where it was not asked.
 bool is_met(const AnswerCondition& condition, const FormAnswer& answer);
 
-/// What prevents an answer to the question from meeting the condition, as a clause with a remedy; nothing where some answer
-/// meets it. `value`: of the values of AnswerIsOneOf, the one that is judged.
-std::optional<std::string> problem_with(const AnswerCondition& condition, const Question& question,
-                                        std::size_t value = 0);
-
+/// "18 to 120", "18 or more"; empty without limits.
+Phrase range_text(const std::optional<double>& minimum, const std::optional<double>& maximum);
 /// In signs: "pain = yes", "hand ∈ {left, right}", "symptoms ∋ pain", "18 ≤ age ≤ 30".
 std::string signs_of(const AnswerCondition& condition);
 /// In English, after "if": "the answer to "pain" was "yes"".

@@ -19,7 +19,6 @@ struct Question;
 /// the line is drawn in thousandths of it (steps 1 to kSteps), so that no length is 0.
 struct LineForm {
   static constexpr std::string_view kName = "line";
-  static constexpr std::string_view kDescription = "the length of a line";
   static constexpr int kSteps = 1000;
 
   double longest = 0.8;  ///< above 0; up to 0.9, which leaves margins at both sides

@@ -18,7 +18,6 @@ struct Question;
 /// The answer is a number within the limits.
 struct NumberForm {
   static constexpr std::string_view kName = "number";
-  static constexpr std::string_view kDescription = "a number";
 
   std::optional<double> minimum{};
   std::optional<double> maximum{};

@@ -17,7 +17,6 @@ struct Question;
 /// The answer is one option.
 struct ChoiceForm {
   static constexpr std::string_view kName = "choice";
-  static constexpr std::string_view kDescription = "a choice of one option";
   bool operator==(const ChoiceForm&) const = default;
 };
 struct ChosenOption {
@@ -27,7 +26,6 @@ struct ChosenOption {
 /// The answer is one or more of the options.
 struct MultipleChoiceForm {
   static constexpr std::string_view kName = "multiple_choice";
-  static constexpr std::string_view kDescription = "a multiple choice";
   static constexpr bool kIsSeen = true;  ///< see is_seen
   bool operator==(const MultipleChoiceForm&) const = default;
 };
@@ -38,7 +36,6 @@ struct ChosenOptions {
 /// Every surface is assigned one option, and every option belongs to one surface at most.
 struct AssignmentForm {
   static constexpr std::string_view kName = "assignment";
-  static constexpr std::string_view kDescription = "an assignment";
   bool operator==(const AssignmentForm&) const = default;
 };
 struct AssignedOptions {

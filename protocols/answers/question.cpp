@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "analysis/numbers/overloaded.h"
 #include "protocols/answers/stored_number.h"
 
 namespace asperity {
@@ -43,7 +44,8 @@ std::vector<std::string> problems_with_item(const Question& question, const Answ
         } else if constexpr (requires { form.can_be_stored_as(stored.answer); }) {
           if (form.can_be_stored_as(stored.answer) && stored_number(stored.answer) == stored.number)
             return {};
-          return {"the response " + stored.answer + " is not " + std::string(Form::kDescription) +
+          return {"the response " + stored.answer + " is not " +
+                  description_of(question.form).english() +
                   " that the question permits, or differs from the number stored with it; restore "
                   "the study from a copy"};
         } else {
@@ -81,8 +83,16 @@ AnswerForm form_named(std::string_view name) {
   return named(static_cast<const AnswerForm*>(nullptr));
 }
 
-std::string_view description_of(const AnswerForm& form) {
-  return std::visit([](const auto& each) { return each.kDescription; }, form);
+Phrase description_of(const AnswerForm& form) {
+  return std::visit(
+      Overloaded{[](const ChoiceForm&) { return phrase("Protocols", "a choice of one option"); },
+                 [](const MultipleChoiceForm&) { return phrase("Protocols", "a multiple choice"); },
+                 [](const AssignmentForm&) { return phrase("Protocols", "an assignment"); },
+                 [](const NumberForm&) { return phrase("Protocols", "a number"); },
+                 [](const ScaleForm&) { return phrase("Protocols", "a point on a scale"); },
+                 [](const LineForm&) { return phrase("Protocols", "the length of a line"); },
+                 [](const TextForm&) { return phrase("Protocols", "free text"); }},
+      form);
 }
 
 bool has_options(const AnswerForm& form) noexcept {
@@ -157,7 +167,7 @@ std::vector<std::string> problems_with(const Question& question,
   if (!is_possible_count(question.form, stored.size(), surfaces)) {
     problems.push_back("its answer has " + std::to_string(stored.size()) +
                        (stored.size() == 1 ? " item, but " : " items, but ") +
-                       std::string(description_of(question.form)) + " has " +
+                       description_of(question.form).english() + " has " +
                        std::to_string(items_of(question.form, surfaces)) +
                        "; restore the study from a copy");
   }

@@ -77,8 +77,8 @@ struct AnsweredItem {
 std::string_view name_of(const AnswerForm& form);
 /// The form of that name with its default parameters; a choice where there is none.
 AnswerForm form_named(std::string_view name);
-/// "a choice of one option", "a number": as an answer is described in a message.
-std::string_view description_of(const AnswerForm& form);
+/// "a choice of one option", "a number": as an answer is described in a message: "answered by a number".
+Phrase description_of(const AnswerForm& form);
 
 /// Whether a participant chooses from Question::options.
 bool has_options(const AnswerForm& form) noexcept;

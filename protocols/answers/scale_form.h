@@ -21,7 +21,6 @@ struct Question;
 /// Without, every position can be given, in thousandths of the line: a visual analogue scale.
 struct ScaleForm {
   static constexpr std::string_view kName = "scale";
-  static constexpr std::string_view kDescription = "a point on a scale";
   /// Positions of a line without points, less one.
   static constexpr int kFineSteps = 1000;
 

@@ -14,7 +14,6 @@ struct Question;
 /// The answer is a text.
 struct TextForm {
   static constexpr std::string_view kName = "text";
-  static constexpr std::string_view kDescription = "free text";
   static constexpr bool kIsSeen = true;  ///< see is_seen
   bool operator==(const TextForm&) const = default;
 };

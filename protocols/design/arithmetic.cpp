@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "protocols/design/wording.h"
+
 namespace asperity {
 
 namespace {
@@ -25,7 +27,7 @@ class ArithmeticParser {
     sum(0);
     skip_spaces();
     if (problem_.empty() && at_ < text_.size()) {
-      fail(std::string("\"") + text_[at_] + "\" is not expected");
+      fail(phrase("Protocols", "%1 is not expected").with(in_quotes(text_.substr(at_, 1))));
     }
     if (!problem_.empty()) return ArithmeticProblem{problem_};
     return std::move(made_);
@@ -34,8 +36,9 @@ class ArithmeticParser {
  private:
   static constexpr int kDeepest = 32;
 
-  void fail(const std::string& why) {
-    if (problem_.empty()) problem_ = why + " at character " + std::to_string(at_ + 1);
+  void fail(const Phrase& why) {
+    if (!problem_.empty()) return;
+    problem_ = phrase("Protocols", "%1 at character %2").with(why, std::to_string(at_ + 1));
   }
   void skip_spaces() {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
@@ -65,7 +68,8 @@ class ArithmeticParser {
 
   void factor(int depth) {
     if (!problem_.empty()) return;
-    if (depth > kDeepest) return fail("the formula has too many levels of parentheses");
+    if (depth > kDeepest)
+      return fail(phrase("Protocols", "the formula has too many levels of parentheses"));
     const char first = next();
     if (first == '-') {
       ++at_;
@@ -75,14 +79,14 @@ class ArithmeticParser {
       ++at_;
       sum(depth + 1);
       if (!problem_.empty()) return;
-      if (next() != ')') return fail("a \")\" is missing");
+      if (next() != ')') return fail(phrase("Protocols", "a \")\" is missing"));
       ++at_;
     } else if (is_digit(first)) {
       number();
     } else if (is_name_start(first)) {
       name();
     } else {
-      fail("a number, a factor or \"(\" is missing");
+      fail(phrase("Protocols", "a number, a factor or \"(\" is missing"));
     }
   }
 
@@ -90,7 +94,7 @@ class ArithmeticParser {
     double value = 0.0;
     const auto [end, error] =
         std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-    if (error != std::errc()) return fail("the number cannot be read");
+    if (error != std::errc()) return fail(phrase("Protocols", "the number cannot be read"));
     at_ = static_cast<std::size_t>(end - text_.data());
     made_.tokens_.emplace_back(value);
   }
@@ -109,7 +113,7 @@ class ArithmeticParser {
   std::string_view text_;
   std::size_t at_ = 0;
   Arithmetic made_{};
-  std::string problem_{};
+  Phrase problem_{};
 };
 
 std::variant<Arithmetic, ArithmeticProblem> Arithmetic::parse(std::string_view text) {

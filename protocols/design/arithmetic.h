@@ -9,11 +9,13 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// Why a text is not a formula: a sentence without its end, "a number, a factor or ( is missing after character 5".
 struct ArithmeticProblem {
-  std::string text{};
+  Phrase text{};
 };
 
 /// A formula of numbers, names, +, −, *, / and parentheses, with the usual precedence, evaluated in double precision:

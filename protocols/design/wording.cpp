@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <map>
 
 namespace asperity {
 
@@ -30,6 +31,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return rows[a.size()][b.size()];
 }
 
+Phrase guessed(const Phrase& problem, const std::string& name) {
+  return phrase("Protocols", "%1; did you mean %2?").with(problem, in_quotes(name));
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
@@ -41,12 +46,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string one_of(const std::vector<std::string>& names) {
-  std::string text{};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += in_quotes(names[i]);
-  }
-  return names.empty() ? "nothing" : text;
+  return joined_by_or(quoted(names)).english();
 }
 
 std::optional<std::string> nearest_name(std::string_view written,
@@ -77,13 +77,63 @@ std::string digits(double value) {
   return {buffer.data(), result.ptr};
 }
 
-std::string unknown_name(std::string_view what, const std::string& name,
-                         const std::vector<std::string>& declared) {
-  const std::string guess = did_you_mean(name, declared);
-  return "there is no " + std::string(what) + " " + in_quotes(name) +
-         (!guess.empty()     ? guess
-          : declared.empty() ? "; none is declared: declare it, or remove the name"
-                             : "; use " + one_of(declared));
+Phrase key_name(std::string_view key) { return {kNamesOfKeys, in_quotes(key).c_str()}; }
+
+Phrase place_name(std::string_view pointer) {
+  return {kPlacesOfKeys, std::string(pointer).c_str()};
+}
+
+Phrase number_of_file(std::string_view number) {
+  return {kNumbersOfFile, std::string(number).c_str()};
+}
+
+Phrase phrase_of_key(std::string_view text) { return {"Keys", std::string(text).c_str()}; }
+
+std::vector<Phrase> quoted(const std::vector<std::string>& names) {
+  std::vector<Phrase> all{};
+  for (const std::string& name : names) all.emplace_back(in_quotes(name));
+  return all;
+}
+
+std::vector<Phrase> key_names(const std::vector<std::string>& keys) {
+  std::vector<Phrase> all{};
+  for (const std::string& key : keys) all.push_back(key_name(key));
+  return all;
+}
+
+Phrase with_guess(const Phrase& problem, std::string_view written,
+                  const std::vector<std::string>& names) {
+  const auto nearest = nearest_name(written, names);
+  return nearest ? guessed(problem, *nearest) : problem;
+}
+
+Phrase with_declared_names(const Phrase& problem, const std::string& name,
+                           const std::vector<std::string>& declared) {
+  if (const auto nearest = nearest_name(name, declared)) return guessed(problem, *nearest);
+  if (declared.empty()) {
+    return phrase("Protocols", "%1; none is declared: declare it, or remove the name")
+        .with(problem);
+  }
+  return phrase("Protocols", "%1; use %2").with(problem, joined_by_or(quoted(declared)));
+}
+
+Phrase unknown_name(std::string_view what, const std::string& name,
+                    const std::vector<std::string>& declared) {
+  // Whole sentences, since other languages have articles of different gender.
+  static const std::map<std::string_view, Phrase> kSentences{
+      {"block", phrase("Protocols", "there is no block %1")},
+      {"body", phrase("Protocols", "there is no body %1")},
+      {"exploration", phrase("Protocols", "there is no exploration %1")},
+      {"factor", phrase("Protocols", "there is no factor %1")},
+      {"force model", phrase("Protocols", "there is no force model %1")},
+      {"group", phrase("Protocols", "there is no group %1")},
+      {"numeric parameter", phrase("Protocols", "there is no numeric parameter %1")},
+      {"parameter", phrase("Protocols", "there is no parameter %1")},
+      {"question", phrase("Protocols", "there is no question %1")},
+      {"role of an asset", phrase("Protocols", "there is no role of an asset %1")},
+      {"stimulus", phrase("Protocols", "there is no stimulus %1")},
+      {"texture", phrase("Protocols", "there is no texture %1")}};
+  return with_declared_names(kSentences.at(what).with(in_quotes(name)), name, declared);
 }
 
 std::string listed_words(const std::vector<std::string>& words, std::string_view joint) {

@@ -34,7 +34,8 @@ void require_free(const JsonDocument& document, const TextContainer& container,
   if (!container.has(key)) return;
   throw ProtocolError({document.at_key(
       pointer_to(container.pointer(), key),
-      "the key " + json_string(key) + " occurs already in this object; choose another name")});
+      phrase("Protocols", "the key %1 occurs already in this object; choose another name")
+          .with(json_string(key)))});
 }
 
 /// The container at the pointer, which must be of this type.
@@ -43,7 +44,8 @@ TextContainer container_at(const JsonDocument& document, const std::string& poin
   TextContainer container(document, pointer);
   if (container.is_object() != is_object) {
     refuse(document, pointer,
-           is_object ? "this is a list; name an object {…}" : "this is an object; name a list […]");
+           is_object ? phrase("Protocols", "this is a list; name an object {…}")
+                     : phrase("Protocols", "this is an object; name a list […]"));
   }
   return container;
 }
@@ -52,8 +54,8 @@ void require_index(const JsonDocument& document, const TextContainer& container,
                    std::size_t greatest) {
   if (index <= greatest) return;
   refuse(document, container.pointer(),
-         "there is no position " + std::to_string(index) + " here; choose one from 0 to " +
-             std::to_string(greatest));
+         phrase("Protocols", "there is no position %1 here; choose one from 0 to %2")
+             .with(std::to_string(index), std::to_string(greatest)));
 }
 
 TextChanges filled(const EntryGap& gap, const std::string& entry) {

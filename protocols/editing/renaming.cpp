@@ -76,19 +76,22 @@ TextChanges renamed_in(const JsonDocument& protocol, ProtocolNames names,
   }
   const std::string place = declaration.value_or("");
   if (!undeclared.empty()) {
-    refuse(protocol, place,
-           "the protocol does not declare " + json_string(name) + " in " + *undeclared.begin() +
-               ", so that it cannot be renamed");
+    refuse(
+        protocol, place,
+        phrase("Protocols", "the protocol does not declare %1 in %2, so that it cannot be renamed")
+            .with(json_string(name), *undeclared.begin()));
   }
   if (taken) {
     refuse(protocol, *taken,
-           "the name " + json_string(after) + " is used here; choose another name");
+           phrase("Protocols", "the name %1 is used here; choose another name")
+               .with(json_string(after)));
   }
   if (!is_name(after) && !std::all_of(registries.begin(), registries.end(), is_of_levels)) {
     refuse(protocol, place,
-           json_string(after) +
-               " is not a name: use lower-case letters, digits and underscores, starting with a "
-               "letter");
+           phrase("Protocols",
+                  "%1 is not a name: use lower-case letters, digits and underscores, starting with "
+                  "a letter")
+               .with(json_string(after)));
   }
   std::sort(changes.begin(), changes.end(), [](const TextChange& one, const TextChange& other) {
     return one.offset < other.offset;

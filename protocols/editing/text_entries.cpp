@@ -13,7 +13,8 @@ TextContainer::TextContainer(const JsonDocument& document, std::string pointer)
     : text_(document.text()), pointer_(std::move(pointer)) {
   const nlohmann::json& value = value_at(document, pointer_);
   if (!value.is_structured()) {
-    refuse(document, pointer_, "this value has no entries; name an object {…} or a list […]");
+    refuse(document, pointer_,
+           phrase("Protocols", "this value has no entries; name an object {…} or a list […]"));
   }
   is_object_ = value.is_object();
   const JsonPlace place = document.place_of(pointer_).value();
@@ -60,14 +61,15 @@ std::string_view TextContainer::space_before(std::size_t index) const {
   return between.substr(between.find(',') + 1);  // all of it where there is no comma
 }
 
-void refuse(const JsonDocument& document, const std::string& pointer, std::string message) {
+void refuse(const JsonDocument& document, const std::string& pointer, Phrase message) {
   throw ProtocolError({document.at(pointer, std::move(message))});
 }
 
 const nlohmann::json& value_at(const JsonDocument& document, const std::string& pointer) {
   const nlohmann::json::json_pointer path(pointer);
   if (!document.place_of(pointer) || !document.root().contains(path)) {
-    refuse(document, pointer, "there is no value here; name one that the text contains");
+    refuse(document, pointer,
+           phrase("Protocols", "there is no value here; name one that the text contains"));
   }
   return document.root().at(path);
 }
@@ -76,7 +78,8 @@ EntryOfContainer entry_at(const JsonDocument& document, const std::string& point
   value_at(document, pointer);
   if (pointer.empty()) {
     refuse(document, pointer,
-           "the complete document is not an entry; name a member or an entry of a list");
+           phrase("Protocols",
+                  "the complete document is not an entry; name a member or an entry of a list"));
   }
   TextContainer container(document, pointer.substr(0, pointer.rfind('/')));
   const std::size_t begin = document.place_of(pointer)->key;

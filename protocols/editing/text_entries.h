@@ -60,8 +60,7 @@ struct EntryOfContainer {
 EntryOfContainer entry_at(const JsonDocument& document, const std::string& pointer);
 
 /// Throws ProtocolError with the place of the value, or of its nearest ancestor.
-[[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
-                         std::string message);
+[[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer, Phrase message);
 
 /// The value at `pointer`. Errors: ProtocolError at its nearest ancestor if there is none.
 const nlohmann::json& value_at(const JsonDocument& document, const std::string& pointer);

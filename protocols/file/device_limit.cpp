@@ -13,8 +13,8 @@
 
 namespace asperity {
 
-std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz) {
-  if (!std::isfinite(limit.limit)) return "a limit must be a finite number";
+std::optional<Phrase> complaint_about(const DeviceLimit& limit, double rate_Hz) {
+  if (!std::isfinite(limit.limit)) return phrase("Protocols", "a limit must be a finite number");
   nlohmann::json number = limit.limit;
   // Counts are written as whole numbers.
   constexpr double kExact = 9e15;
@@ -28,10 +28,12 @@ std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate
   return complaint_about_rate_limit(limit.limit, rate_Hz);
 }
 
-std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz) {
+std::optional<Phrase> complaint_about_rate_limit(double limit_Hz, double rate_Hz) {
   if (limit_Hz <= rate_Hz) return {};
-  return "a loop set to " + digits(rate_Hz) + " Hz cannot reach " + digits(limit_Hz) +
-         " Hz: the limit must be at most /device/rate_Hz, the requested rate";
+  return phrase("Protocols",
+                "a loop set to %1 Hz cannot reach %2 Hz: the limit must be at most %3, the "
+                "requested rate")
+      .with(digits(rate_Hz), digits(limit_Hz), place_name("/device/rate_Hz"));
 }
 
 }  // namespace asperity

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// A limit on a numeric item of a device.
@@ -15,9 +17,9 @@ struct DeviceLimit {
 
 /// The reason, as a sentence, why a protocol with a loop at `rate_Hz` cannot have this limit (/device/limits of the
 /// schema); nullopt if it can.
-std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate_Hz);
+std::optional<Phrase> complaint_about(const DeviceLimit& limit, double rate_Hz);
 
 /// The check that the schema cannot express: a limit on the rate of the loop itself.
-std::optional<std::string> complaint_about_rate_limit(double limit_Hz, double rate_Hz);
+std::optional<Phrase> complaint_about_rate_limit(double limit_Hz, double rate_Hz);
 
 }  // namespace asperity

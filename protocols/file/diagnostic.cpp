@@ -12,7 +12,7 @@ std::string text_of(const Diagnostic& diagnostic) {
   if (diagnostic.line > 0) {
     text += ':' + std::to_string(diagnostic.line) + ':' + std::to_string(diagnostic.column);
   }
-  text += ": error: " + diagnostic.message;
+  text += ": error: " + diagnostic.message.english();
   if (!diagnostic.pointer.empty()) text += " (" + diagnostic.pointer + ")";
   return text;
 }

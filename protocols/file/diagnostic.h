@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// One problem. `line` and `column` count from 1 and are 0 if the file could not be read; `pointer` is the JSON pointer
@@ -15,7 +17,7 @@ struct Diagnostic {
   int line = 1;
   int column = 1;
   std::string pointer{};
-  std::string message{};
+  Phrase message{};
 };
 
 /// `FILE:LINE:COLUMN: error: message (/json/pointer)`; `FILE: error: message` for a file that could not be read.

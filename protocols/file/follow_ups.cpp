@@ -42,7 +42,8 @@ void add_names(const json& value, std::set<std::string>& names) {
 /// The same problem, although the names that it lists for a choice may have changed.
 bool is_same(const Diagnostic& a, const Diagnostic& b) {
   const auto statement = [](const Diagnostic& problem) {
-    return std::string_view(problem.message).substr(0, problem.message.find("; "));
+    const std::string sentence = problem.message.english();
+    return sentence.substr(0, sentence.find("; "));
   };
   return a.pointer == b.pointer && statement(a) == statement(b);
 }

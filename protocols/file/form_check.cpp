@@ -22,10 +22,11 @@ std::vector<Diagnostic> check_form(const JsonDocument& document, const KeyTable&
 
 std::vector<Diagnostic> check_form(const JsonDocument& document) {
   if (!document.root().is_object()) {
-    return {document.at("", quoted_value(document.root()) +
-                                " is not a protocol; a protocol is an object "
-                                "{…} that begins with \"format\": "
-                                "\"asperity.protocol/1\"")};
+    return {document.at(
+        "", phrase("Protocols",
+                   "%1 is not a protocol; a protocol is an object {…} that begins with \"format\": "
+                   "\"asperity.protocol/1\"")
+                .with(quoted_value(document.root())))};
   }
   return check_form(document, kProtocolTable);
 }

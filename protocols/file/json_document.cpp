@@ -19,7 +19,6 @@ constexpr std::size_t kMaximumDepth = 64;
 constexpr std::size_t kMaximumEntries = 4096;
 constexpr std::size_t kMaximumString = 8192;
 constexpr std::size_t kMaximumKey = 256;
-constexpr const char* kWithoutZero = "; delete this character";
 
 bool has_zero(std::string_view text) { return text.find('\0') != std::string_view::npos; }
 
@@ -71,16 +70,17 @@ bool is_binary(std::string_view text) {
 }
 
 /// Of a text in quotation marks that the parser refuses for this reason; begins with a semicolon, or is empty.
-std::string correction_of_text(std::string_view reason) {
+Phrase correction_of_text(std::string_view reason) {
   if (reason.find("missing closing quote") != std::string_view::npos) {
-    return "; add the closing quotation mark";
+    return phrase("Protocols", "; add the closing quotation mark");
   }
   if (reason.find("U+000A") != std::string_view::npos ||
       reason.find("U+000D") != std::string_view::npos) {
-    return "; add the closing quotation mark on this line, or write \\n for a line break";
+    return phrase("Protocols",
+                  "; add the closing quotation mark on this line, or write \\n for a line break");
   }
   if (reason.find("backslash") != std::string_view::npos) {
-    return "; write \\\\ for a backslash";
+    return phrase("Protocols", "; write \\\\ for a backslash");
   }
   return {};
 }
@@ -99,7 +99,7 @@ std::string_view token_at(std::string_view text, std::size_t from) {
 
 /// How the token that the parser does not expect at `from` is corrected; empty where the token itself is the problem.
 /// `expected`: what the parser expects instead.
-std::string correction_at(std::string_view text, std::size_t from, std::string_view expected) {
+Phrase correction_at(std::string_view text, std::size_t from, std::string_view expected) {
   const std::size_t last =
       from == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", from - 1);
   const char before = last == std::string_view::npos ? '\0' : text[last];
@@ -107,45 +107,55 @@ std::string correction_at(std::string_view text, std::size_t from, std::string_v
   const auto expects = [expected](std::string_view what) {
     return expected.find(what) != std::string_view::npos;
   };
-  if (token == '\'') return "write double quotation marks (\") instead of single ones";
+  if (token == '\'') {
+    return phrase("Protocols", "write double quotation marks (\") instead of single ones");
+  }
   if (token == '/' || token == '#') {
-    return "JSON has no comments: delete it, or write it as the text of a key \"$comment\"";
+    return phrase("Protocols",
+                  "JSON has no comments: delete it, or write it as the text of a key \"$comment\"");
   }
   if (expects("end of input")) {
-    return "delete what follows the end of the protocol, or a closing bracket too many before it";
+    return phrase("Protocols",
+                  "delete what follows the end of the protocol, or a closing bracket too many "
+                  "before it");
   }
   const bool is_digit = std::isdigit(static_cast<unsigned char>(token)) != 0;
   if (is_digit && from > 1 && text[from - 1] == ',' &&
       std::isdigit(static_cast<unsigned char>(text[from - 2])) != 0) {
-    return "write a decimal point in place of the comma before it";
+    return phrase("Protocols", "write a decimal point in place of the comma before it");
   }
   if (token == ',') {
-    return before == ':' ? "write a value after the colon" : "delete this comma";
+    return before == ':' ? phrase("Protocols", "write a value after the colon")
+                         : phrase("Protocols", "delete this comma");
   }
   if (token == '}' || token == ']') {
-    if (before == ',') return "delete the comma before it: the last entry has none";
-    if (before == ':') return "write a value after the colon";
-    if (expects("']'")) return "close the list with ']' before it";
-    if (expects("'}'")) return "close the object with '}' before it";
+    if (before == ',') {
+      return phrase("Protocols", "delete the comma before it: the last entry has none");
+    }
+    if (before == ':') return phrase("Protocols", "write a value after the colon");
+    if (expects("']'")) return phrase("Protocols", "close the list with ']' before it");
+    if (expects("'}'")) return phrase("Protocols", "close the object with '}' before it");
     return {};
   }
   if (token == ':') {
-    return before == ':' ? "delete this colon"
-                         : "a colon is permitted only between a key and its value: add a comma or "
-                           "a quotation mark before it";
+    return before == ':' ? phrase("Protocols", "delete this colon")
+                         : phrase("Protocols",
+                                  "a colon is permitted only between a key and its value: add a "
+                                  "comma or a quotation mark before it");
   }
   if (expects("':'")) {
-    return "write a colon between a key and its value, and close every quotation mark";
+    return phrase("Protocols",
+                  "write a colon between a key and its value, and close every quotation mark");
   }
   if (expects("quotation marks") && is_of_word(token)) {
-    return "write the key in \"quotation marks\"";
+    return phrase("Protocols", "write the key in \"quotation marks\"");
   }
   // "3x" is one word that is no number.
   const bool is_separate = !is_of_word(token) || last + 1 < from;
   const bool follows_a_value =
       is_separate && (before == '"' || before == '}' || before == ']' || is_of_word(before));
   if (follows_a_value && (expects("'}'") || expects("']'"))) {
-    return "add a comma after the entry before it, or close a quotation mark";
+    return phrase("Protocols", "add a comma after the entry before it, or close a quotation mark");
   }
   return {};
 }
@@ -167,8 +177,8 @@ class JsonDocument::Handler {
   }
   bool string(std::string& given) {
     if (given.size() > kMaximumString) {
-      return refuse(start(), "this text is longer than " + std::to_string(kMaximumString) +
-                                 " bytes; shorten it");
+      return refuse(start(), phrase("Protocols", "this text is longer than %1 bytes; shorten it")
+                                 .with(std::to_string(kMaximumString)));
     }
     const std::size_t from = start();
     const bool contains_zero = has_zero(given);
@@ -176,7 +186,8 @@ class JsonDocument::Handler {
     if (place(std::move(given), pointer) == nullptr) return false;
     if (contains_zero) {
       problems_.push_back(document_.diagnostic(
-          from, pointer, std::string("this text contains U+0000 (\\u0000)") + kWithoutZero));
+          from, pointer,
+          phrase("Protocols", "this text contains U+0000 (\\u0000); delete this character")));
     }
     return true;
   }
@@ -190,20 +201,22 @@ class JsonDocument::Handler {
     key_start_ = start();
     last_end_ = read_;
     if (given.size() > kMaximumKey) {
-      return refuse(key_start_, "this key is longer than " + std::to_string(kMaximumKey) +
-                                    " bytes; shorten it");
+      return refuse(key_start_, phrase("Protocols", "this key is longer than %1 bytes; shorten it")
+                                    .with(std::to_string(kMaximumKey)));
     }
     Open& parent = stack_.back();
     key_ = given;
     if (parent.node->contains(given)) {
       problems_.push_back(document_.diagnostic(
           key_start_, pointer_to(parent.pointer, given),
-          "the key " + printable(given) + " occurs twice in this object; keep one"));
+          phrase("Protocols", "the key %1 occurs twice in this object; keep one")
+              .with(printable(given))));
     }
     if (has_zero(given)) {
       problems_.push_back(document_.diagnostic(
           key_start_, parent.pointer,
-          "the key " + printable(given) + " contains U+0000 (\\u0000)" + kWithoutZero));
+          phrase("Protocols", "the key %1 contains U+0000 (\\u0000); delete this character")
+              .with(printable(given))));
     }
     return true;
   }
@@ -215,8 +228,9 @@ class JsonDocument::Handler {
     const std::size_t from = start();
     if (error.id == 406) {  // out_of_range: the number does not fit into a double
       const std::size_t end = std::min(text.find_first_of(" \t\r\n,]}", from), text.size());
-      return refuse(from, "the number " + printable(text.substr(from, end - from)) +
-                              " is too large to be read; write a smaller one");
+      return refuse(
+          from, phrase("Protocols", "the number %1 is too large to be read; write a smaller one")
+                    .with(printable(text.substr(from, end - from))));
     }
     if (const std::size_t at = what.find("invalid string: "); at != std::string::npos) {
       const std::size_t end = what.find("; last read", at);
@@ -224,19 +238,23 @@ class JsonDocument::Handler {
           what.substr(at + 16, end == std::string::npos ? end : end - at - 16);
       const std::size_t where = position == 0 ? 0 : std::min(position - 1, text.size());
       if (reason.find("UTF-8") != std::string::npos) {
-        return refuse(where, "this text is not UTF-8; save the file as UTF-8");
+        return refuse(where, phrase("Protocols", "this text is not UTF-8; save the file as UTF-8"));
       }
-      return refuse(where, "this text is invalid: " + reason + correction_of_text(reason));
+      return refuse(where, phrase("Protocols", "this text is invalid: %1%2")
+                               .with(reason, correction_of_text(reason)));
     }
     if (from >= text.size()) {
-      return refuse(text.size(), stack_.empty() && !began_
-                                     ? "the file is empty; write a JSON object {…}"
-                                     : "the text ends before the JSON is complete; close every "
-                                       "quotation mark and bracket");
+      return refuse(text.size(),
+                    stack_.empty() && !began_
+                        ? phrase("Protocols", "the file is empty; write a JSON object {…}")
+                        : phrase("Protocols",
+                                 "the text ends before the JSON is complete; close every quotation "
+                                 "mark and bracket"));
     }
     if (const auto other = look_alike_at(text.substr(from))) {
       return refuse(
-          from, "there is " + std::string(other->name) + " here; " + std::string(other->remedy));
+          from,
+          phrase("Protocols", "there is %1 here; %2").with(other->character, other->correction));
     }
     std::string expected{};
     if (const std::size_t at = what.find("; expected "); at != std::string::npos) {
@@ -246,19 +264,22 @@ class JsonDocument::Handler {
         expected.replace(found, kString.size(), "a key in \"quotation marks\"");
       }
     }
-    if (const std::string correction = correction_at(text, from, expected); !correction.empty()) {
-      return refuse(from, "unexpected " + printable(token_at(text, from)) + "; " + correction);
+    if (const Phrase correction = correction_at(text, from, expected); !correction.empty()) {
+      return refuse(from, phrase("Protocols", "unexpected %1; %2")
+                              .with(printable(token_at(text, from)), correction));
     }
     std::size_t end = from;
     while (end < text.size() && is_of_word(text[end])) ++end;
     if (end > from) {
-      return refuse(
-          from,
-          printable(text.substr(from, end - from)) +
-              " is not JSON: write a finite number, text in quotation marks, true, false, null, "
-              "[…] or {…}");
+      return refuse(from,
+                    phrase("Protocols",
+                           "%1 is not JSON: write a finite number, text in quotation marks, true, "
+                           "false, null, […] or {…}")
+                        .with(printable(text.substr(from, end - from))));
     }
-    return refuse(from, "unexpected " + printable(text.substr(from, 1)) + expected);
+    return refuse(
+        from,
+        phrase("Protocols", "unexpected %1%2").with(printable(text.substr(from, 1)), expected));
   }
 
   std::vector<Diagnostic> take_problems() { return std::move(problems_); }
@@ -282,7 +303,7 @@ class JsonDocument::Handler {
     return at;
   }
 
-  bool refuse(std::size_t offset, std::string message) {
+  bool refuse(std::size_t offset, Phrase message) {
     std::string pointer = stack_.empty() ? "" : stack_.back().pointer;
     // The first syntax error ends the reading; what was found before it is reported with it.
     problems_.push_back(document_.diagnostic(offset, pointer, std::move(message)));
@@ -299,8 +320,8 @@ class JsonDocument::Handler {
     } else {
       Open& parent = stack_.back();
       if (parent.node->size() >= kMaximumEntries) {
-        refuse(from, "more than " + std::to_string(kMaximumEntries) +
-                         " entries in one place; reduce their number");
+        refuse(from, phrase("Protocols", "more than %1 entries in one place; reduce their number")
+                         .with(std::to_string(kMaximumEntries)));
         return nullptr;
       }
       if (parent.node->is_array()) {
@@ -330,8 +351,8 @@ class JsonDocument::Handler {
 
   bool open(nlohmann::json container) {
     if (stack_.size() >= kMaximumDepth) {
-      return refuse(start(), "nested deeper than " + std::to_string(kMaximumDepth) +
-                                 " levels; reduce the nesting");
+      return refuse(start(), phrase("Protocols", "nested deeper than %1 levels; reduce the nesting")
+                                 .with(std::to_string(kMaximumDepth)));
     }
     std::string pointer{};
     nlohmann::json* node = place(std::move(container), pointer);
@@ -360,27 +381,32 @@ class JsonDocument::Handler {
 JsonDocument::JsonDocument(std::string_view text, std::string file,
                            std::vector<Diagnostic>* problems_of_texts)
     : text_(text), file_(std::move(file)) {
-  const auto refuse = [this](std::string message) {
+  const auto refuse = [this](Phrase message) {
     throw ProtocolError({diagnostic(0, "", std::move(message))});
   };
-  if (text.size() > kMaximumBytes)
-    refuse("larger than 4 MiB, the maximum size of a protocol; name another file");
+  if (text.size() > kMaximumBytes) {
+    refuse(phrase("Protocols",
+                  "larger than 4 MiB, the maximum size of a protocol; name another file"));
+  }
   if (text.starts_with(kByteOrderMark)) {
-    refuse("begins with a byte order mark; save the file as UTF-8 without one");
+    refuse(
+        phrase("Protocols", "begins with a byte order mark; save the file as UTF-8 without one"));
   }
   const bool has_every_other_zero =
       text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');  // a letter in two bytes
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || has_every_other_zero) {
-    refuse("this is not UTF-8 text (it looks like UTF-16); save the file as UTF-8");
+    refuse(phrase("Protocols",
+                  "this is not UTF-8 text (it looks like UTF-16); save the file as UTF-8"));
   }
   if (is_binary(text)) {
-    refuse(
-        "this is not a JSON text file, but a binary one, such as a picture; name a text file in "
-        "UTF-8 with a JSON object {…}");
+    refuse(phrase("Protocols",
+                  "this is not a JSON text file, but a binary one, such as a picture; name a text "
+                  "file in UTF-8 with a JSON object {…}"));
   }
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     throw ProtocolError({diagnostic(
-        zero, "", std::string("the file contains a zero byte (U+0000)") + kWithoutZero)});
+        zero, "",
+        phrase("Protocols", "the file contains a zero byte (U+0000); delete this character"))});
   }
   std::size_t read = 0;
   Handler handler(*this, read);
@@ -389,7 +415,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
                                 CountingIterator{text.data() + text.size(), &read}, &handler);
   std::vector<Diagnostic> problems = handler.take_problems();
   if (!complete && problems.empty())
-    problems.push_back(diagnostic(read, "", "this is not JSON; write a JSON object {…}"));
+    problems.push_back(
+        diagnostic(read, "", phrase("Protocols", "this is not JSON; write a JSON object {…}")));
   if (complete && problems_of_texts != nullptr) {
     *problems_of_texts = std::move(problems);
   } else if (!problems.empty()) {
@@ -404,7 +431,7 @@ JsonDocument JsonDocument::with_root(nlohmann::json root) const {
 }
 
 Diagnostic JsonDocument::diagnostic(std::size_t offset, const std::string& pointer,
-                                    std::string message) const {
+                                    Phrase message) const {
   Diagnostic result{};
   result.file = file_;
   result.pointer = pointer;
@@ -421,7 +448,7 @@ Diagnostic JsonDocument::diagnostic(std::size_t offset, const std::string& point
   return result;
 }
 
-Diagnostic JsonDocument::at(const std::string& pointer, std::string message) const {
+Diagnostic JsonDocument::at(const std::string& pointer, Phrase message) const {
   std::string existing = pointer;
   auto found = places_.find(existing);
   while (found == places_.end() && !existing.empty()) {
@@ -438,7 +465,7 @@ std::optional<JsonPlace> JsonDocument::place_of(const std::string& pointer) cons
   return found->second;
 }
 
-Diagnostic JsonDocument::at_key(const std::string& pointer, std::string message) const {
+Diagnostic JsonDocument::at_key(const std::string& pointer, Phrase message) const {
   const auto found = places_.find(pointer);
   if (found == places_.end()) return at(pointer, std::move(message));
   return diagnostic(found->second.key, pointer, std::move(message));

@@ -43,15 +43,18 @@ class JsonDocument final {
   /// A copy with another tree. Values that occur in both trees have their positions in the text.
   JsonDocument with_root(nlohmann::json root) const;
   /// A diagnostic at a value, or at its nearest existing ancestor.
-  Diagnostic at(const std::string& pointer, std::string message) const;
+  Diagnostic at(const std::string& pointer, Phrase message) const;
+  /// Windows could not translate it.
+  Diagnostic at(const std::string& pointer, const std::string& message) const = delete;
   /// The place of the value in the text; nullopt if it does not exist.
   std::optional<JsonPlace> place_of(const std::string& pointer) const;
   /// A diagnostic at the last key of the pointer.
-  Diagnostic at_key(const std::string& pointer, std::string message) const;
+  Diagnostic at_key(const std::string& pointer, Phrase message) const;
+  Diagnostic at_key(const std::string& pointer, const std::string& message) const = delete;
 
  private:
   class Handler;
-  Diagnostic diagnostic(std::size_t offset, const std::string& pointer, std::string message) const;
+  Diagnostic diagnostic(std::size_t offset, const std::string& pointer, Phrase message) const;
 
   std::string_view text_{};
   std::string file_{};

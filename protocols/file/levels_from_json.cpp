@@ -122,7 +122,7 @@ void complete_dimension(Block& block, const Protocol& protocol,
   const Parameter* const parameter = parameter_of(models, model, dimension.parameter);
   if (parameter == nullptr) return;
   dimension.unit = parameter->unit;
-  dimension.meaning = parameter->meaning;
+  dimension.meaning = parameter->meaning.english();
 }
 
 void declare_dimension(Block& block, Protocol& protocol, const std::set<std::string>& of_file) {

@@ -50,7 +50,7 @@ std::vector<NamedFile> files_of(const Protocol& protocol) {
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
   const JsonDocument document(protocol.source, file_name);
   std::vector<NamedFile> files = files_of(protocol);
-  for (NamedFile& file : files) file.place = document.at(file.place.pointer, "");
+  for (NamedFile& file : files) file.place = document.at(file.place.pointer, Phrase());
   return files;
 }
 

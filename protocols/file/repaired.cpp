@@ -251,12 +251,21 @@ Repair repaired(const JsonDocument& document) {
   return repair;
 }
 
-bool may_follow_from(const Repair& repair, const std::string& pointer, const std::string& message) {
+bool may_follow_from(const Repair& repair, const std::string& pointer, const Phrase& message) {
+  const std::string sentence = message.english();
+  const std::string without_keys =
+      message.translated([](const char* context, const char* words) -> std::string {
+        return context != nullptr && context == std::string_view(kNamesOfKeys) ? "" : words;
+      });
+  const auto names = [](const std::string& text, const std::string& name) {
+    return text.find(in_quotes(name)) != std::string::npos;
+  };
   const auto lies_in = [](const std::string& inner, const std::string& outer) {
     return inner == outer || inner.starts_with(outer + '/');
   };
   // A level with an unknown name is invalid regardless of the factor's other levels.
-  const bool is_unknown_level = lies_in(pointer, "/factors") && message.starts_with("there is no ");
+  const bool is_unknown_level =
+      lies_in(pointer, "/factors") && sentence.starts_with("there is no ");
   return std::any_of(repair.places.begin(), repair.places.end(), [&](const std::string& place) {
     if (place.empty()) return true;
     const std::string object = place.substr(0, place.rfind('/'));
@@ -264,7 +273,10 @@ bool may_follow_from(const Repair& repair, const std::string& pointer, const std
     const bool is_of_same_object = !is_unknown_level && !object.empty() && lies_in(pointer, object);
     const bool is_made_of_levels = lies_in(place, "/factors") && lies_in(pointer, "/blocks");
     return is_of_same_object || is_made_of_levels || lies_in(place, pointer) ||
-           lies_in(pointer, place) || message.find(in_quotes(name)) != std::string::npos;
+           lies_in(pointer, place) || names(without_keys, name) ||
+           // A key has the same name in other objects.
+           (names(sentence, name) &&
+            (object.empty() || names(without_keys, object.substr(object.rfind('/') + 1))));
   });
 }
 

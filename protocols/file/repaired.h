@@ -25,6 +25,6 @@ Repair repaired(const JsonDocument& document);
 /// Whether a finding at `pointer` can be a consequence of the repair: it concerns the same object as a replaced value,
 /// contains or lies in such a value, or quotes its name; or it concerns a block while a factor was repaired, since a
 /// block's trials consist of levels. A level with an unknown name is invalid regardless of the factor's other levels.
-bool may_follow_from(const Repair& repair, const std::string& pointer, const std::string& message);
+bool may_follow_from(const Repair& repair, const std::string& pointer, const Phrase& message);
 
 }  // namespace asperity

@@ -133,7 +133,7 @@ class Translator final {
   TranslatedProtocol result{};
 
  private:
-  void problem_at_key(const std::string& pointer, std::string message) {
+  void problem_at_key(const std::string& pointer, Phrase message) {
     result.problems.push_back(translation_.at_key(pointer, std::move(message)));
   }
 
@@ -150,20 +150,23 @@ class Translator final {
     if (here.contains(words)) meant = {words};  // the beginning of others, too
     if (here.empty()) {
       if (unknown_.insert(address).second) {
-        problem_at_key(place,
-                       "the protocol has no text for participants or readers at the address " +
-                           in_quotes(address) + did_you_mean(address, addresses()));
+        const Phrase problem =
+            phrase("Protocols",
+                   "the protocol has no text for participants or readers at the address %1")
+                .with(in_quotes(address));
+        problem_at_key(place, with_guess(problem, address, addresses()));
       }
     } else if (meant.empty()) {
       problem_at_key(entry,
-                     "the protocol has no text at this address that begins with these "
-                     "words; it has " +
-                         one_of({here.begin(), here.end()}) +
-                         ": check the translation, and correct the words");
+                     phrase("Protocols",
+                            "the protocol has no text at this address that begins with these "
+                            "words; it has %1: check the translation, and correct the words")
+                         .with(joined_by_or(quoted({here.begin(), here.end()}))));
     } else if (meant.size() > 1 && !meant.contains(words)) {
       problem_at_key(entry,
-                     "these words are the beginning of several texts at this address; "
-                     "repeat more of the text");
+                     phrase("Protocols",
+                            "these words are the beginning of several texts at this address; "
+                            "repeat more of the text"));
     } else {
       replace(address, meant.contains(words) ? words : *meant.begin(), text, entry);
     }
@@ -175,11 +178,13 @@ class Translator final {
       const TranslatableText& each = texts_[i];
       if (each.address != address || each.text != source) continue;
       if (!done_.insert(i).second) {
-        return problem_at_key(entry, "another entry translates this text; remove one of them");
+        return problem_at_key(
+            entry, phrase("Protocols", "another entry translates this text; remove one of them"));
       }
       if (text.find_first_not_of(" \n\t") == std::string::npos || text == kMore) {
         return result.problems.push_back(translation_.at(
-            entry, "this text has no translation yet; write it in place of " + in_quotes(text)));
+            entry, phrase("Protocols", "this text has no translation yet; write it in place of %1")
+                       .with(in_quotes(text))));
       }
       const std::vector<FormProblem> problems = valid_part(text, each.shape, "", entry).problems;
       if (!problems.empty()) {
@@ -202,8 +207,9 @@ class Translator final {
       if (done_.contains(i) || !reported.emplace(each.address, each.text).second) continue;
       const json entry{{each.address, json{{first_words(each, texts_), "…"}}}};
       Diagnostic missing = translation_.at(
-          "/texts", "the text " + in_quotes(each.text) + " has no translation; add " +
-                        entry.dump().substr(1, entry.dump().size() - 2));
+          "/texts",
+          phrase("Protocols", "the text %1 has no translation; add %2")
+              .with(in_quotes(each.text), entry.dump().substr(1, entry.dump().size() - 2)));
       const bool is_read = each.shape.translated == Translated::always;
       (is_read ? result.problems : result.warnings).push_back(std::move(missing));
     }

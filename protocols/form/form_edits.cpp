@@ -24,7 +24,11 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kEdited = "the edited protocol";
-constexpr const char* kNotInForm = "a form cannot add an entry here; add it in the text";
+
+[[noreturn]] void refuse_entry(const JsonDocument& protocol, const std::string& container) {
+  refuse(protocol, container,
+         phrase("Protocols", "a form cannot add an entry here; add it in the text"));
+}
 
 std::string parent_of(const std::string& pointer) {
   return json::json_pointer(pointer).parent_pointer().to_string();
@@ -126,7 +130,7 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
   const ProtocolNames names = names_in(protocol.root());
   if (!entries.is_object()) {
     const auto* const list = shape ? std::get_if<ListShape>(&*shape) : nullptr;
-    if (list == nullptr) refuse(protocol, container, kNotInForm);
+    if (list == nullptr) refuse_entry(protocol, container);
     const std::size_t count = keys.size();
     nlohmann::ordered_json value{};
     const auto* const object = std::get_if<ObjectShape>(list->entry);
@@ -145,7 +149,7 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
             pointer_to(container, count)};
   }
   const auto* const map = shape ? std::get_if<MapShape>(&*shape) : nullptr;
-  if (map == nullptr) refuse(protocol, container, kNotInForm);
+  if (map == nullptr) refuse_entry(protocol, container);
   if (key.empty() && !keys.empty()) {
     return with_copy(protocol, pointer_to(container, keys.back()));
   }

@@ -2,6 +2,8 @@
 
 #include "protocols/keys/form_sentences.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/wording.h"
@@ -13,13 +15,13 @@ namespace {
 
 using nlohmann::json;
 
-std::string type_text(const std::string& type) {
-  if (type == "object") return "an object {…}";
-  if (type == "array") return "a list […]";
-  if (type == "string") return "text in quotation marks";
-  if (type == "integer") return "a whole number";
-  if (type == "boolean") return "true or false";
-  return "a number";
+Phrase type_text(const std::string& type) {
+  if (type == "object") return phrase("Protocols", "an object {…}");
+  if (type == "array") return phrase("Protocols", "a list […]");
+  if (type == "string") return phrase("Protocols", "text in quotation marks");
+  if (type == "integer") return phrase("Protocols", "a whole number");
+  if (type == "boolean") return phrase("Protocols", "true or false");
+  return phrase("Protocols", "a number");
 }
 
 bool is_quoted_number(const json& value) {
@@ -27,20 +29,21 @@ bool is_quoted_number(const json& value) {
          json::parse(value.get_ref<const std::string&>(), nullptr, false).is_number();
 }
 
-std::string entries_text(std::size_t entries) {
-  return std::to_string(entries) + (entries == 1 ? " entry is too " : " entries are too ");
+bool has_number(const std::vector<std::string>& types) {
+  return std::any_of(types.begin(), types.end(),
+                     [](const std::string& type) { return type == "number" || type == "integer"; });
 }
 
 }  // namespace
 
-std::string quoted_value(const json& value) {
+Phrase quoted_value(const json& value) {
   switch (value.type()) {
     case json::value_t::string:
       return in_quotes(value.get_ref<const std::string&>());
     case json::value_t::object:
-      return "an object {…}";
+      return type_text("object");
     case json::value_t::array:
-      return "a list […]";
+      return type_text("array");
     case json::value_t::number_float:
       return digits(value.get<double>());
     case json::value_t::null:
@@ -54,31 +57,41 @@ std::string quoted_value(const json& value) {
   return value.dump();
 }
 
-std::string types_text(const std::vector<std::string>& types) {
-  std::string text{};
-  for (const std::string& type : types) text += (text.empty() ? "" : " or ") + type_text(type);
+Phrase types_text(const std::vector<std::string>& types) {
+  Phrase text{};
+  for (const std::string& type : types) {
+    text = text.empty() ? type_text(type)
+                        : phrase("Protocols", "%1 or %2").with(text, type_text(type));
+  }
   return text;
 }
 
-std::string expected_here(std::string_view meaning) {
-  return meaning.empty() ? "" : ". Expected here: " + std::string(meaning);
+Phrase with_meaning(const Phrase& problem, std::string_view meaning) {
+  return meaning.empty()
+             ? problem
+             : phrase("Protocols", "%1. Expected here: %2").with(problem, phrase_of_key(meaning));
 }
 
-std::string unknown_key(const std::string& key, const std::vector<std::string>& known) {
-  const std::string guess = did_you_mean(key, known);
-  return "there is no key " + in_quotes(key) + " here" +
-         (guess.empty() ? "; it could be " + one_of(known) : guess);
+Phrase unknown_key(const std::string& key, const std::vector<std::string>& known) {
+  const Phrase problem = phrase("Protocols", "there is no key %1 here").with(in_quotes(key));
+  if (const auto nearest = nearest_name(key, known)) {
+    return phrase("Protocols", "%1; did you mean %2?").with(problem, key_name(*nearest));
+  }
+  return phrase("Protocols", "%1; it could be %2").with(problem, joined_by_or(key_names(known)));
 }
 
-std::string missing_key(std::string_view key, std::string_view meaning) {
-  return "the key " + in_quotes(key) + " is missing; add it" + expected_here(meaning);
+Phrase missing_key(std::string_view key, std::string_view meaning) {
+  return with_meaning(phrase("Protocols", "the key %1 is missing; add it").with(key_name(key)),
+                      meaning);
 }
 
-std::string inapplicable_key(const KeyCondition& unmet) {
-  if (!unmet.problem.empty()) return std::string(unmet.problem);
-  const std::string other = in_quotes(unmet.key);
+Phrase inapplicable_key(const KeyCondition& unmet) {
+  if (!unmet.problem.empty()) return phrase_of_key(unmet.problem);
+  const Phrase other = key_name(unmet.key);
   if (unmet.count == 0) {
-    return "this key requires the key " + other + ", which is missing; add it, or remove this key";
+    return phrase("Protocols",
+                  "this key requires the key %1, which is missing; add it, or remove this key")
+        .with(other);
   }
   std::vector<std::string> words{};
   bool may_be_absent = false;
@@ -89,35 +102,47 @@ std::string inapplicable_key(const KeyCondition& unmet) {
       words.emplace_back(value);
     }
   }
-  if (words.empty()) return "this key and " + other + " exclude each other; keep one of the two";
-  const std::string permitted = one_of(words);
-  return "this key applies only where " + other + " is " + permitted +
-         (may_be_absent ? " or absent; remove this key, or change "
-                        : "; remove this key, or set ") +
-         other + (may_be_absent ? "" : " to " + permitted);
+  if (words.empty()) {
+    return phrase("Protocols", "this key and %1 exclude each other; keep one of the two")
+        .with(other);
+  }
+  const Phrase sentence =
+      may_be_absent
+          ? phrase("Protocols",
+                   "this key applies only where %1 is %2 or absent; remove this key, or change %1")
+          : phrase("Protocols",
+                   "this key applies only where %1 is %2; remove this key, or set %1 to %2");
+  return sentence.with(other, joined_by_or(quoted(words)));
 }
 
-std::string not_a_name(const std::string& key) {
-  return in_quotes(key) +
-         " is not a name: use lower-case letters, digits and underscores, starting with a letter, "
-         "at most 64 characters";
+Phrase not_a_name(const std::string& key) {
+  return phrase("Protocols",
+                "%1 is not a name: use lower-case letters, digits and underscores, starting with "
+                "a letter, at most 64 characters")
+      .with(in_quotes(key));
 }
 
-std::string wrong_type(const json& value, const std::vector<std::string>& types,
-                       std::string_view meaning) {
-  const std::string wanted = types_text(types);
-  const bool is_number = wanted.find("number") != std::string::npos && is_quoted_number(value);
-  return quoted_value(value) + " is not permitted here: write " + wanted +
-         (is_number ? ", without quotation marks" : "") + expected_here(meaning);
+Phrase wrong_type(const json& value, const std::vector<std::string>& types,
+                  std::string_view meaning) {
+  const bool is_number = has_number(types) && is_quoted_number(value);
+  const Phrase sentence =
+      is_number ? phrase("Protocols", "%1 is not permitted here: write %2, without quotation marks")
+                : phrase("Protocols", "%1 is not permitted here: write %2");
+  return with_meaning(sentence.with(quoted_value(value), types_text(types)), meaning);
 }
 
-std::string wrong_word(const json& value, const std::vector<std::string>& words) {
-  if (words.size() == 1) return quoted_value(value) + " is not supported: write " + one_of(words);
-  return quoted_value(value) + " is not permitted here: write " + one_of(words) +
-         (value.is_string() ? did_you_mean(value.get<std::string>(), words) : "");
+Phrase wrong_word(const json& value, const std::vector<std::string>& words) {
+  const Phrase permitted = joined_by_or(quoted(words));
+  if (words.size() == 1) {
+    return phrase("Protocols", "%1 is not supported: write %2")
+        .with(quoted_value(value), permitted);
+  }
+  const Phrase problem = phrase("Protocols", "%1 is not permitted here: write %2")
+                             .with(quoted_value(value), permitted);
+  return value.is_string() ? with_guess(problem, value.get<std::string>(), words) : problem;
 }
 
-std::string wrong_number(const json& value, const NumberShape& shape, std::string_view meaning) {
+Phrase wrong_number(const json& value, const NumberShape& shape, std::string_view meaning) {
   const auto number = value.get<double>();
   const auto within = [&shape](double one) { return lies_within(shape, one); };
   const bool is_low =
@@ -125,46 +150,58 @@ std::string wrong_number(const json& value, const NumberShape& shape, std::strin
   const bool is_open = is_low ? !shape.minimum : !shape.maximum;
   const double limit = is_low ? shape.minimum.value_or(shape.above.value_or(0.0))
                               : shape.maximum.value_or(shape.below.value_or(0.0));
-  const char* const relation =
-      is_open ? (is_low ? "greater than " : "less than ") : (is_low ? "at least " : "at most ");
-  return quoted_value(value) +
-         (is_low ? " is too small: it must be " : " is too large: it must be ") + relation +
-         digits(limit) + meant_in_other_unit(number, shape.unit, within) + expected_here(meaning);
+  const Phrase of_low = is_open
+                            ? phrase("Protocols", "%1 is too small: it must be greater than %2%3")
+                            : phrase("Protocols", "%1 is too small: it must be at least %2%3");
+  const Phrase of_high = is_open ? phrase("Protocols", "%1 is too large: it must be less than %2%3")
+                                 : phrase("Protocols", "%1 is too large: it must be at most %2%3");
+  return with_meaning(
+      (is_low ? of_low : of_high)
+          .with(number_of_file(quoted_value(value).english()), number_of_file(digits(limit)),
+                meant_in_other_unit(number, shape.unit, within)),
+      meaning);
 }
 
-std::string wrong_pattern(const json& value, std::string_view meaning) {
-  return quoted_value(value) + " does not have the required form; correct it" +
-         expected_here(meaning);
+Phrase wrong_pattern(const json& value, std::string_view meaning) {
+  return with_meaning(phrase("Protocols", "%1 does not have the required form; correct it")
+                          .with(quoted_value(value)),
+                      meaning);
 }
 
-std::string empty_text(std::string_view meaning) {
-  return "this text is empty; enter a text" + expected_here(meaning);
+Phrase empty_text(std::string_view meaning) {
+  return with_meaning(phrase("Protocols", "this text is empty; enter a text"), meaning);
 }
 
-std::string long_text(std::size_t longest) {
-  return "this text is longer than " + std::to_string(longest) + " characters; shorten it";
+Phrase long_text(std::size_t longest) {
+  return phrase("Protocols", "this text is longer than %1 characters; shorten it")
+      .with(std::to_string(longest));
 }
 
-std::string too_few_entries(std::size_t entries, std::size_t fewest, std::string_view meaning) {
-  return entries_text(entries) + "few: write at least " + std::to_string(fewest) +
-         expected_here(meaning);
+Phrase too_few_entries(std::size_t entries, std::size_t fewest, std::string_view meaning) {
+  const Phrase sentence = entries == 1
+                              ? phrase("Protocols", "%1 entry is too few: write at least %2")
+                              : phrase("Protocols", "%1 entries are too few: write at least %2");
+  return with_meaning(sentence.with(std::to_string(entries), std::to_string(fewest)), meaning);
 }
 
-std::string too_many_entries(std::size_t entries, std::size_t most, std::string_view meaning) {
-  return entries_text(entries) + "many: write at most " + std::to_string(most) +
-         expected_here(meaning);
+Phrase too_many_entries(std::size_t entries, std::size_t most, std::string_view meaning) {
+  const Phrase sentence = entries == 1
+                              ? phrase("Protocols", "%1 entry is too many: write at most %2")
+                              : phrase("Protocols", "%1 entries are too many: write at most %2");
+  return with_meaning(sentence.with(std::to_string(entries), std::to_string(most)), meaning);
 }
 
-std::string repeated_entry(const json& entry) {
-  return quoted_value(entry) + " occurs twice in this list; keep one";
+Phrase repeated_entry(const json& entry) {
+  return phrase("Protocols", "%1 occurs twice in this list; keep one").with(quoted_value(entry));
 }
 
-std::string empty_object(std::string_view meaning) {
-  return "this object is empty; add an entry" + expected_here(meaning);
+Phrase empty_object(std::string_view meaning) {
+  return with_meaning(phrase("Protocols", "this object is empty; add an entry"), meaning);
 }
 
-std::string undecided_object(const std::vector<std::string>& keys) {
-  return "write exactly one of the keys " + one_of(keys) + " here";
+Phrase undecided_object(const std::vector<std::string>& keys) {
+  return phrase("Protocols", "write exactly one of the keys %1 here")
+      .with(joined_by_or(key_names(keys)));
 }
 
 }  // namespace asperity

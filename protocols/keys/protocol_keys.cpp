@@ -115,10 +115,10 @@ constexpr KeyTableOf<std::string> kAuthorTable =
     table_of("An author of this protocol.", kAuthorKeys, "author");
 
 // Until 0.3.0 a protocol could state instructions that participants did not read.
-constexpr std::array<RemovedKey, 1> kRemoved{
-    {{"instructions",
-      "participants read the screens of the flow: write the instructions there, as {\"screen\": …} "
-      "before the first block, and remove this key"}}};
+constexpr std::array<RemovedKey, 1> kRemoved{{RemovedKey{
+    "instructions",
+    "participants read the screens of the flow: write the instructions there, as {\"screen\": …} "
+    "before the first block, and remove this key"}}};
 
 constexpr KeyTableOf<Protocol> kProtocolTable = with_removed_keys(
     table_of("A haptic texture experiment: its stimuli, their order, and its questions.",

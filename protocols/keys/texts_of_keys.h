@@ -1,7 +1,8 @@
-// Declares the collection of the texts of keys that forms show.
+// Declares the collections of the labels and other texts of keys that forms show.
 
 #pragma once
 
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -10,5 +11,11 @@ namespace asperity {
 /// The distinct texts of all keys of a protocol: labels, meanings (also of objects, entries and words) and computed
 /// defaults. They are English; windows look up their translations in the context "Keys".
 std::set<std::string_view> texts_of_keys();
+
+/// The sentences about keys that are not permitted where they are, as the tables state them; likewise translated.
+std::set<std::string_view> problems_of_keys();
+
+/// The labels of keys by their names; without the names that have different labels in different objects.
+std::map<std::string_view, std::string_view> labels_of_keys();
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/keys/form_sentences.h"
 
 namespace asperity {
@@ -58,10 +59,10 @@ class Walk final {
     const std::string& pointer;
   };
 
-  void report(const std::string& pointer, std::string message, bool is_at_key = false) {
+  void report(const std::string& pointer, Phrase message, bool is_at_key = false) {
     problems_.push_back({pointer, std::move(message), is_at_key});
   }
-  std::optional<json> refused(const Place& place, std::string message) {
+  std::optional<json> refused(const Place& place, Phrase message) {
     report(place.pointer, std::move(message));
     return {};
   }
@@ -152,7 +153,7 @@ class Walk final {
         const auto removed = std::ranges::find(table.removed, name, &RemovedKey::name);
         report(at,
                removed == table.removed.end() ? unknown_key(name, names_of(table))
-                                              : std::string(removed->problem),
+                                              : phrase_of_key(removed->problem),
                true);
         has_other_mistake = true;
       } else if (auto valid = part(member, key->shape, key->meaning, at)) {

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/words/phrase.h"
 #include "protocols/shapes/key.h"
 
 namespace asperity {
@@ -16,7 +17,7 @@ namespace asperity {
 /// A value that does not have the form of its key, or is missing.
 struct FormProblem {
   std::string pointer{};
-  std::string message{};
+  Phrase message{};
   bool is_at_key = false;  ///< the key itself is not permitted; otherwise its value
 };
 

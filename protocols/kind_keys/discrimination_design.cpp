@@ -45,43 +45,51 @@ std::string_view DiscriminationDesign::correct_response(std::size_t comparisons)
   return asks_for_odd_one && comparisons > 1 ? kStandard : kComparison;
 }
 
-std::string DiscriminationDesign::with_article() const {
-  const bool begins_with_vowel = std::string_view("aeiou").find(name.front()) != std::string::npos;
-  return (begins_with_vowel ? "an " : "a ") + std::string(name);
-}
-
 const DiscriminationDesign& two_alternatives() noexcept {
-  static constexpr DiscriminationDesign kDesign{.id = "two_alternatives",
-                                                .name = "two-alternative forced choice",
-                                                .trials = kTrialsOfTwoAlternatives};
+  static const DiscriminationDesign kDesign{
+      .id = "two_alternatives",
+      .name = "two-alternative forced choice",
+      .with_article = phrase("Protocols", "a two-alternative forced choice"),
+      .trials = kTrialsOfTwoAlternatives};
   return kDesign;
 }
 
 const DiscriminationDesign& yes_no_task() noexcept {
-  static constexpr DiscriminationDesign kDesign{
-      .id = "yes_no", .name = "yes/no task", .trials = kTrialsOfYesNo, .yes = "yes", .no = "no"};
+  static const DiscriminationDesign kDesign{.id = "yes_no",
+                                            .name = "yes/no task",
+                                            .with_article = phrase("Protocols", "a yes/no task"),
+                                            .trials = kTrialsOfYesNo,
+                                            .yes = "yes",
+                                            .no = "no"};
   return kDesign;
 }
 
 const DiscriminationDesign& same_different_task() noexcept {
-  static constexpr DiscriminationDesign kDesign{.id = "same_different",
-                                                .name = "same–different task",
-                                                .trials = kTrialsOfSameDifferent,
-                                                .yes = "different",
-                                                .no = "same"};
+  static const DiscriminationDesign kDesign{
+      .id = "same_different",
+      .name = "same–different task",
+      .with_article = phrase("Protocols", "a same–different task"),
+      .trials = kTrialsOfSameDifferent,
+      .yes = "different",
+      .no = "same"};
   return kDesign;
 }
 
 const DiscriminationDesign& three_alternatives() noexcept {
-  static constexpr DiscriminationDesign kDesign{.id = "three_alternatives",
-                                                .name = "three-alternative forced choice",
-                                                .trials = kTrialsOfThreeAlternatives};
+  static const DiscriminationDesign kDesign{
+      .id = "three_alternatives",
+      .name = "three-alternative forced choice",
+      .with_article = phrase("Protocols", "a three-alternative forced choice"),
+      .trials = kTrialsOfThreeAlternatives};
   return kDesign;
 }
 
 const DiscriminationDesign& oddity_task() noexcept {
-  static constexpr DiscriminationDesign kDesign{
-      .id = "oddity", .name = "oddity task", .trials = kTrialsOfOddity, .asks_for_odd_one = true};
+  static const DiscriminationDesign kDesign{.id = "oddity",
+                                            .name = "oddity task",
+                                            .with_article = phrase("Protocols", "an oddity task"),
+                                            .trials = kTrialsOfOddity,
+                                            .asks_for_odd_one = true};
   return kDesign;
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// One type of trial: the roles of its surfaces, as listed before positions are drawn.
@@ -24,6 +26,7 @@ struct DesignTrial {
 struct DiscriminationDesign {
   std::string_view id{};    ///< as in protocols and in the store
   std::string_view name{};  ///< in sentences, after the article
+  Phrase with_article{};    ///< "an oddity task"
   std::span<const DesignTrial> trials{};
   /// The values of the options in words: of the correct response to a signal, and of the other one. Empty where one of the
   /// surfaces is chosen.
@@ -46,8 +49,6 @@ struct DiscriminationDesign {
   double guess_rate() const noexcept {
     return has_noise() ? 0.5 : 1.0 / static_cast<double>(surfaces());
   }
-  /// "an oddity task"
-  std::string with_article() const;
   /// Whether trials with this number of comparisons have a signal.
   bool is_signal(std::size_t comparisons) const noexcept;
   /// The value of the correct option in trials with this number of comparisons: a surface by its role, or one of the words.

@@ -74,27 +74,33 @@ bool is_two_sided(const Dimension& dimension) {
 bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
   const std::optional<Dimension>& vary = checked.block.vary;
   if (!vary) {
-    problems.report(checked.pointer,
-                    "a discrimination needs the parameter in which the comparison differs from the "
-                    "standard; add \"vary\"");
+    problems.report(checked.pointer, phrase("Protocols",
+                                            "a discrimination needs the parameter in which the "
+                                            "comparison differs from the standard; add %1")
+                                         .with(key_name("vary")));
     return false;
   }
   if (vary->role != "comparison") {
     problems.report(checked.pointer + "/vary/of",
-                    "a discrimination varies the comparison; write \"comparison\"");
+                    phrase("Protocols", "a discrimination varies the comparison; write %1")
+                        .with(in_quotes("comparison")));
     return false;
   }
   if (vary->standard_role != "standard") {
-    problems.report(checked.pointer + "/vary",
-                    "the levels of a discrimination are compared with the standard; set "
-                    "\"relative_to\" to \"standard\"");
+    problems.report(
+        checked.pointer + "/vary",
+        phrase("Protocols",
+               "the levels of a discrimination are compared with the standard; set %1 to %2")
+            .with(key_name("relative_to"), in_quotes("standard")));
     return false;
   }
   if (!vary->standard && is_relative(vary->measure)) return false;  // reported with the levels
   if (!vary->standard) {
-    problems.report(checked.pointer + "/vary/relative_to",
-                    "the stimulus of the standard does not state a number for " +
-                        in_quotes(vary->parameter) + "; state it there");
+    problems.report(
+        checked.pointer + "/vary/relative_to",
+        phrase("Protocols",
+               "the stimulus of the standard does not state a number for %1; state it there")
+            .with(in_quotes(vary->parameter)));
     return false;
   }
   return has_levels(*vary);  // otherwise reported at the levels
@@ -104,17 +110,19 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
 void check_design(const BlockOfKind& checked, ProblemSink& problems) {
   const DiscriminationDesign& design = *checked.block.design();
   const Protocol::TrialQuestionTemplate& question = checked.question;
-  const std::string a_design = design.with_article();
+  const Phrase a_design = design.with_article;
   if (!design.has_noise() && !question.options.empty()) {
     problems.report_key(checked.at_question + "/options",
-                        "in " + a_design +
-                            " the options are the surfaces felt; "
-                            "remove this key, or state another \"design\" of the block");
+                        phrase("Protocols",
+                               "in %1 the options are the surfaces felt; remove this key, or state "
+                               "another %2 of the block")
+                            .with(a_design, key_name("design")));
   }
   if (&design != &two_alternatives() &&
       question.judgement() == DiscriminationJudgement::comparison) {
     problems.report(checked.at_question + "/judgement",
-                    "in " + a_design + " one response is correct; set it to \"performance\"");
+                    phrase("Protocols", "in %1 one response is correct; set it to %2")
+                        .with(a_design, in_quotes("performance")));
   }
   if (!design.has_noise()) return;
   std::set<std::string_view> options{};
@@ -122,26 +130,31 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
     options.insert(word.value);
   }
   if (question.options.size() != 2 || options != std::set{design.yes, design.no}) {
-    problems.report(checked.at_question, a_design + " has the \"options\" " +
-                                             in_quotes(design.yes) + " and " +
-                                             in_quotes(design.no) + "; list these two values");
+    problems.report(
+        checked.at_question,
+        phrase("Protocols", "%1 has the %2 %3 and %4; list these two values")
+            .with(a_design, key_name("options"), in_quotes(design.yes), in_quotes(design.no)));
   }
   if (checked.block.procedure) {
     problems.report_key(
         checked.pointer + "/procedure",
-        a_design +
-            " presents every level equally often, because a proportion correct depends on the "
-            "criterion of the participant as well as on the level; remove this key, and state "
-            "\"repetitions\"");
+        phrase(
+            "Protocols",
+            "%1 presents every level equally often, because a proportion correct depends on the "
+            "criterion of the participant as well as on the level; remove this key, and state %2")
+            .with(a_design, key_name("repetitions")));
   }
   if (design.surfaces() == 1) {
     if (checked.block.positions != Block::Positions::as_listed) {
-      problems.report_key(checked.pointer + "/positions",
-                          a_design + " presents one surface in each trial; remove this key");
+      problems.report_key(
+          checked.pointer + "/positions",
+          phrase("Protocols", "%1 presents one surface in each trial; remove this key")
+              .with(a_design));
     }
     if (checked.block.arrangement.surfaces != Arrangement::Surfaces::sequential) {
       problems.report(checked.pointer + "/arrangement/surfaces",
-                      a_design + " presents one surface in each trial; set it to \"sequential\"");
+                      phrase("Protocols", "%1 presents one surface in each trial; set it to %2")
+                          .with(a_design, in_quotes("sequential")));
     }
   }
   const ObserverDeclaration& observer = checked.protocol.observer;
@@ -149,18 +162,23 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
                                  ? observer.discrimination.yes_above.has_value()
                                  : observer.discrimination.different_above.has_value();
   if (!has_criterion && !observer.deaf) {
-    problems.report(checked.pointer + "/design",
-                    "the virtual observer of " + a_design + " needs a criterion; state " +
-                        in_quotes(design.surfaces() == 1 ? "yes_above" : "different_above") +
-                        " under \"observer\", or \"deaf\": true");
+    problems.report(
+        checked.pointer + "/design",
+        phrase("Protocols",
+               "the virtual observer of %1 needs a criterion; state %2 under %3, or %4: true")
+            .with(a_design, key_name(design.surfaces() == 1 ? "yes_above" : "different_above"),
+                  key_name("observer"), key_name("deaf")));
   }
 }
 
 void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
   if (!checked.question.judgement()) {
-    problems.report(checked.at_question,
-                    "a discrimination needs \"judgement\": \"performance\" where the comparison is "
-                    "the correct response, or \"comparison\" where no response is correct");
+    problems.report(
+        checked.at_question,
+        phrase("Protocols",
+               "a discrimination needs %1: %2 where the comparison is the correct response, or %3 "
+               "where no response is correct")
+            .with(key_name("judgement"), in_quotes("performance"), in_quotes("comparison")));
     return;
   }
   if (!check_varied(checked, problems)) return;
@@ -173,31 +191,36 @@ void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
   const std::string at_levels = checked.pointer + "/vary/" + std::string(key_of(dimension.measure));
   if (*checked.question.judgement() == DiscriminationJudgement::performance) {
     if (!is_one_sided(dimension)) {
-      problems.report(
-          at_levels,
-          "with the judgement \"performance\" the comparison is the correct response, so "
-          "that every level must be above the standard, or every level below it; "
-          "remove the others, or use the judgement \"comparison\"");
+      problems.report(at_levels,
+                      phrase("Protocols",
+                             "with the judgement %1 the comparison is the correct response, so "
+                             "that every level must be above the standard, or every level below "
+                             "it; remove the others, or use the judgement %2")
+                          .with(in_quotes("performance"), in_quotes("comparison")));
     }
     return;
   }
   if (!is_two_sided(dimension)) {
     problems.report(
         at_levels,
-        "the judgement \"comparison\" estimates the point of subjective equality, which "
-        "needs levels below and above the standard; add some, or use the judgement "
-        "\"performance\"");
+        phrase("Protocols",
+               "the judgement %1 estimates the point of subjective equality, which needs levels "
+               "below and above the standard; add some, or use the judgement %2")
+            .with(in_quotes("comparison"), in_quotes("performance")));
   }
   if (checked.block.feedback != Block::Feedback::none) {
     problems.report(
         checked.pointer + "/feedback",
-        "with the judgement \"comparison\" no response is correct or incorrect; set it to "
-        "\"none\"");
+        phrase("Protocols",
+               "with the judgement %1 no response is correct or incorrect; set it to %2")
+            .with(in_quotes("comparison"), in_quotes("none")));
   }
   if (checked.block.until) {
-    problems.report(checked.pointer + "/until",
-                    "with the judgement \"comparison\" no response is correct or incorrect; remove "
-                    "this key");
+    problems.report(
+        checked.pointer + "/until",
+        phrase("Protocols",
+               "with the judgement %1 no response is correct or incorrect; remove this key")
+            .with(in_quotes("comparison")));
   }
 }
 
@@ -210,32 +233,39 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
   };
   if (presented.size() != 2 || !has_role("standard") || !has_role("comparison")) {
     problems.report(checked.pointer + "/presented",
-                    "a discrimination presents one surface with the role \"standard\" and one with "
-                    "the role \"comparison\"; list these two");
+                    phrase("Protocols",
+                           "a discrimination presents one surface with the role %1 and one with "
+                           "the role %2; list these two")
+                        .with(in_quotes("standard"), in_quotes("comparison")));
     return;
   }
   for (std::size_t i = 0; i < presented.size(); ++i) {
     if (presented[i].item.empty()) continue;
-    problems.report_key(checked.pointer + "/presented/" + std::to_string(i) + "/item",
-                        "in a discrimination the role names each surface; remove this key");
+    problems.report_key(
+        checked.pointer + "/presented/" + std::to_string(i) + "/item",
+        phrase("Protocols", "in a discrimination the role names each surface; remove this key"));
   }
   if (checked.block.phase == Phase::main && checked.block.design()->surfaces() > 1 &&
       checked.block.positions == Block::Positions::as_listed) {
-    problems.report(checked.pointer + "/presented",
-                    "the same surface would always be presented first, so that an order "
-                    "effect could not be distinguished from a difference; set \"positions\" to "
-                    "\"balanced\" or \"shuffle\"");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols",
+               "the same surface would always be presented first, so that an order effect could "
+               "not be distinguished from a difference; set %1 to %2 or %3")
+            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
   }
   if (question.allow_cannot_tell && checked.block.design()->has_noise()) {
-    problems.report(checked.at_question + "/allow_cannot_tell",
-                    "a " + std::string(checked.block.design()->name) + " has the \"options\" " +
-                        in_quotes(checked.block.design()->yes) + " and " +
-                        in_quotes(checked.block.design()->no) + "; remove this key");
+    problems.report(
+        checked.at_question + "/allow_cannot_tell",
+        phrase("Protocols", "%1 has the %2 %3 and %4; remove this key")
+            .with(checked.block.design()->with_article, key_name("options"),
+                  in_quotes(checked.block.design()->yes), in_quotes(checked.block.design()->no)));
   }
   if (question.allow_cannot_tell && checked.block.design()->is_choice_of_three()) {
-    problems.report(checked.at_question + "/allow_cannot_tell",
-                    "the analysis of " + checked.block.design()->with_article() +
-                        " needs a choice in every trial; remove this key");
+    problems.report(
+        checked.at_question + "/allow_cannot_tell",
+        phrase("Protocols", "the analysis of %1 needs a choice in every trial; remove this key")
+            .with(checked.block.design()->with_article));
   }
   check_design(checked, problems);
   check_judgement(checked, problems);
@@ -312,7 +342,7 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
 
 const ExperimentKind& discrimination_kind() {
   static const ExperimentKind kKind{.id = "discrimination",
-                                    .name = "discrimination",
+                                    .name = phrase("Protocols", "discrimination"),
                                     .roles = kDiscriminationRoles,
                                     .form = ChoiceForm{},
                                     .tests = kDiscriminationTests,

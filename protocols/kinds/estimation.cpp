@@ -27,26 +27,31 @@ void check_spacings(const Protocol& protocol, const std::string& factor, Problem
     const std::string place = pointer_to(at_levels, i);
     if (const double* const spacing_m = std::get_if<double>(&levels[i])) {
       if (*spacing_m <= 0.0)
-        problems.report(place, "a spacing must be above 0; write a length in metres");
+        problems.report(place,
+                        phrase("Protocols", "a spacing must be above 0; write a length in metres"));
       continue;
     }
     const auto texture = protocol.textures.find(text_of(levels[i]));
     if (texture == protocol.textures.end()) {
-      problems.report(place,
-                      in_quotes(text_of(levels[i])) +
-                          " is used as a spacing but is neither a number nor a texture; write "
-                          "a length in metres, or the name of a texture");
+      problems.report(place, phrase("Protocols",
+                                    "%1 is used as a spacing but is neither a number nor a "
+                                    "texture; write a length in metres, or the name of a texture")
+                                 .with(in_quotes(text_of(levels[i]))));
     } else if (!texture->second.spacing_m) {
       problems.report(
           pointer_to("/textures", texture->first),
-          "estimates are analysed by the spacing of this texture: give it a \"spacing_m\"");
+          phrase("Protocols", "estimates are analysed by the spacing of this texture: give it a %1")
+              .with(key_name("spacing_m")));
     }
   }
   std::set<double> spacings{};
   for (const auto& [level, spacing_m] : protocol.estimation->spacing_m) spacings.insert(spacing_m);
   if (spacings.size() < kLevelsOfCurve) {
-    problems.report(at_levels, "a curve needs at least three different spacings; number given: " +
-                                   std::to_string(spacings.size()) + "; add spacings");
+    problems.report(
+        at_levels,
+        phrase("Protocols",
+               "a curve needs at least three different spacings; number given: %1; add spacings")
+            .with(std::to_string(spacings.size())));
   }
 }
 
@@ -66,12 +71,16 @@ std::vector<Level> levels_of_items(const Protocol& protocol) {
 void check_number_of_levels(std::size_t different, std::size_t needed, const std::string& place,
                             ProblemSink& problems) {
   if (different >= needed) return;
-  problems.report(place, std::string(needed == kLevelsOfCurve
-                                         ? "an exponent needs at least three different values of "
-                                           "the predictor; number given: "
-                                         : "estimates of at least two stimuli can be compared; "
-                                           "number given: ") +
-                             std::to_string(different) + "; add levels");
+  problems.report(
+      place,
+      (needed == kLevelsOfCurve
+           ? phrase("Protocols",
+                    "an exponent needs at least three different values of the predictor; number "
+                    "given: %1; add levels")
+           : phrase(
+                 "Protocols",
+                 "estimates of at least two stimuli can be compared; number given: %1; add levels"))
+          .with(std::to_string(different)));
 }
 
 void check_values(const Protocol& protocol, const std::vector<Level>& levels,
@@ -82,19 +91,23 @@ void check_values(const Protocol& protocol, const std::vector<Level>& levels,
   for (const Level& level : levels) {
     names.insert(text_of(level));
     if (!values.contains(text_of(level))) {
-      problems.report("/estimation/values", "the level " + in_quotes(text_of(level)) +
-                                                " of the factor has no value; add it");
+      problems.report("/estimation/values",
+                      phrase("Protocols", "the level %1 of the factor has no value; add it")
+                          .with(in_quotes(text_of(level))));
     }
   }
   for (const auto& [level, value] : values) {
     const std::string place = pointer_to("/estimation/values", level);
     if (!names.contains(level)) {
-      problems.report(place, in_quotes(level) + " is not a level of the factor " +
-                                 in_quotes(protocol.estimation->items) + "; remove it");
+      problems.report(place, phrase("Protocols", "%1 is not a level of the factor %2; remove it")
+                                 .with(in_quotes(level), in_quotes(protocol.estimation->items)));
     }
     if (!(value > 0.0)) {
-      problems.report(place, "the value is " + number_text(value) +
-                                 "; it must be above 0, because its logarithm is the abscissa");
+      problems.report(
+          place,
+          phrase("Protocols",
+                 "the value is %1; it must be above 0, because its logarithm is the abscissa")
+              .with(number_text(value)));
     }
     different.insert(value);
   }
@@ -116,10 +129,12 @@ void check_items(const Protocol& protocol, ProblemSink& problems) {
     for (const Level& level : levels) {
       const double* const number = std::get_if<double>(&level);
       if (number != nullptr && *number > 0.0) continue;
-      problems.report(at_levels,
-                      "the predictor is the level, and " + in_quotes(text_of(level)) +
-                          " is not a number above 0; set \"predictor\" to \"values\" and state "
-                          "the value of each level, or write numbers above 0");
+      problems.report(
+          at_levels,
+          phrase("Protocols",
+                 "the predictor is the level, and %1 is not a number above 0; set %2 to %3 and "
+                 "state the value of each level, or write numbers above 0")
+              .with(in_quotes(text_of(level)), key_name("predictor"), in_quotes("values")));
     }
   }
   check_number_of_levels(different.size(), estimation.predictor.empty() ? 2 : kLevelsOfCurve,
@@ -131,13 +146,17 @@ void check_way(const Protocol& protocol, ProblemSink& problems) {
   const EstimationDeclaration& estimation = *protocol.estimation;
   if (estimation.spacing.empty() == estimation.items.empty()) {
     problems.report("/estimation",
-                    "write exactly one of \"spacing\", the factor whose levels are spacings, and "
-                    "\"factor\", the factor whose levels are any other stimuli");
+                    phrase("Protocols",
+                           "write exactly one of %1, the factor whose levels are spacings, and %2, "
+                           "the factor whose levels are any other stimuli")
+                        .with(key_name("spacing"), key_name("factor")));
   }
   if (estimation.items.empty() && !estimation.predictor.empty()) {
-    problems.report("/estimation/predictor",
-                    "the predictor is the spacing; remove this key, or write \"factor\" in place "
-                    "of \"spacing\"");
+    problems.report(
+        "/estimation/predictor",
+        phrase("Protocols",
+               "the predictor is the spacing; remove this key, or write %1 in place of %2")
+            .with(key_name("factor"), key_name("spacing")));
   }
   const std::string_view way = estimation.items.empty() ? kBySpacing : kByFactor;
   std::vector<std::string> tests{};
@@ -150,12 +169,14 @@ void check_way(const Protocol& protocol, ProblemSink& problems) {
     if (test == nullptr || test->estimated_by.empty()) continue;
     if (test->estimated_by != way) {
       problems.report(pointer_to("/analysis/family", i),
-                      "this test belongs to an estimation with " + in_quotes(test->estimated_by) +
-                          "; write " + one_of(tests));
+                      phrase("Protocols", "this test belongs to an estimation with %1; write %2")
+                          .with(key_name(test->estimated_by), joined_by_or(quoted(tests))));
     } else if (test->name == "exponent" && estimation.predictor.empty()) {
       problems.report(pointer_to("/analysis/family", i),
-                      "without a predictor there is no exponent; state a \"predictor\" under "
-                      "/estimation, or remove this test");
+                      phrase("Protocols",
+                             "without a predictor there is no exponent; state a %1 under "
+                             "%2, or remove this test")
+                          .with(key_name("predictor"), place_name("/estimation")));
     }
   }
 }
@@ -168,17 +189,20 @@ void check_modulus(const Protocol& protocol, ProblemSink& problems) {
       return;
     }
     problems.report("/estimation/normalisation",
-                    "with free modulus every participant has a separate scale, which only "
-                    "\"geometric_mean\" removes; write it, or state a standard with its number "
-                    "under \"modulus\"");
+                    phrase("Protocols",
+                           "with free modulus every participant has a separate scale, which only "
+                           "%1 removes; write it, or state a standard with its number under %2")
+                        .with(in_quotes("geometric_mean"), key_name("modulus")));
     return;
   }
   const auto factor = protocol.factors.find(estimation.factor());
   if (factor == protocol.factors.end()) {
-    problems.report("/estimation/modulus/standard",
-                    "a standard is a level of a factor under /factors, and " +
-                        in_quotes(estimation.factor()) +
-                        " is not one; declare it there, or set the modulus to \"free\"");
+    problems.report(
+        "/estimation/modulus/standard",
+        phrase("Protocols",
+               "a standard is a level of a factor under %1, and %2 is not one; declare "
+               "it there, or set the modulus to %3")
+            .with(place_name("/factors"), in_quotes(estimation.factor()), in_quotes("free")));
     return;
   }
   const std::vector<Level>& levels = factor->second.levels;
@@ -186,9 +210,10 @@ void check_modulus(const Protocol& protocol, ProblemSink& problems) {
     return text_of(level) == estimation.modulus->standard;
   });
   if (!is_level) {
-    problems.report("/estimation/modulus/standard",
-                    in_quotes(estimation.modulus->standard) + " is not a level of the factor " +
-                        in_quotes(estimation.factor()) + "; write one of its levels");
+    problems.report(
+        "/estimation/modulus/standard",
+        phrase("Protocols", "%1 is not a level of the factor %2; write one of its levels")
+            .with(in_quotes(estimation.modulus->standard), in_quotes(estimation.factor())));
   }
 }
 
@@ -207,9 +232,11 @@ void check_design_of(const Protocol& protocol, const Protocol::Block& block, boo
   if (has_factor && !crosses(factor) && !lists_it && !varies_it) {
     problems.report(
         pointer,
-        estimation.spacing.empty()
-            ? "a main block must cross, list or vary the levels of the factor " + in_quotes(factor)
-            : "a main block must cross or list the spacings, the factor " + in_quotes(factor));
+        (estimation.spacing.empty()
+             ? phrase("Protocols",
+                      "a main block must cross, list or vary the levels of the factor %1")
+             : phrase("Protocols", "a main block must cross or list the spacings, the factor %1"))
+            .with(in_quotes(factor)));
   }
   if (!has_condition) return;
   std::set<Level> held{};
@@ -220,17 +247,18 @@ void check_design_of(const Protocol& protocol, const Protocol::Block& block, boo
   const bool draws =
       std::find(block.drawn.begin(), block.drawn.end(), estimation.condition) != block.drawn.end();
   if (held.size() > 1 || crosses(estimation.condition) || draws) {
-    problems.report(pointer,
-                    "the condition must be constant within a block: run this block for_each level "
-                    "of " +
-                        in_quotes(estimation.condition) + " instead of mixing the levels");
+    problems.report(pointer, phrase("Protocols",
+                                    "the condition must be constant within a block: run this block "
+                                    "%1 level of %2 instead of mixing the levels")
+                                 .with(key_name("for_each"), in_quotes(estimation.condition)));
     return;
   }
   for (const Protocol::Run* const run : runs_of(protocol, block)) {
     if (factors_set_by(block, run).contains(estimation.condition)) continue;
-    problems.report(pointer, "this main block does not set the condition " +
-                                 in_quotes(estimation.condition) +
-                                 ": run the block for_each level of the condition");
+    problems.report(pointer, phrase("Protocols",
+                                    "this main block does not set the condition %1: run the block "
+                                    "%2 level of the condition")
+                                 .with(in_quotes(estimation.condition), key_name("for_each")));
   }
 }
 
@@ -254,10 +282,12 @@ void check_estimation(const Protocol& protocol, ProblemSink& problems) {
   if (has_items && !has_spacing) check_items(protocol, problems);
   if (has_spacing || has_items) check_modulus(protocol, problems);
   if (!estimation.condition.empty() && estimation.condition == estimation.factor()) {
-    problems.report("/estimation/condition",
-                    estimation.spacing.empty()
-                        ? "the items and the condition are the same factor; name another one"
-                        : "spacing and condition are the same factor; name another one");
+    problems.report(
+        "/estimation/condition",
+        estimation.spacing.empty()
+            ? phrase("Protocols",
+                     "the items and the condition are the same factor; name another one")
+            : phrase("Protocols", "spacing and condition are the same factor; name another one"));
     return;
   }
   for (const auto& [name, block] : protocol.blocks) {

@@ -39,7 +39,7 @@ struct KindTest {
 /// A key at the root of a protocol that a kind needs.
 struct RequiredKey {
   std::string_view name{};
-  std::string_view if_missing{};  ///< the problem, reported at "kind"
+  Phrase if_missing{};  ///< the problem, reported at "kind"
 };
 
 /// One block whose question is being checked.
@@ -79,8 +79,8 @@ struct ResponseTable;
 ///
 /// A function that is null does nothing. Functions report problems, and do not throw.
 struct ExperimentKind {
-  std::string_view id{};    ///< as in protocols and in the store: "magnitude"
-  std::string_view name{};  ///< in messages, after "a": "magnitude estimation"
+  std::string_view id{};  ///< as in protocols and in the store: "magnitude"
+  Phrase name{};          ///< in messages, after "a": "magnitude estimation"
   /// Of the surfaces of a trial; the first one where a protocol states none.
   std::span<const std::string_view> roles{};
   AnswerForm form{};                       ///< how its question is answered

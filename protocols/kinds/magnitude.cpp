@@ -40,11 +40,6 @@ constexpr std::array kMagnitudeTests{
 constexpr const char* kStandardRole = "standard";
 constexpr std::array<std::string_view, 2> kMagnitudeRoles{"target", kStandardRole};
 
-constexpr std::array kMagnitudeKeys{RequiredKey{
-    "estimation",
-    "a magnitude estimation must state the factor by which estimates are analysed: add the key "
-    "\"estimation\" with this factor as \"spacing\", or as \"factor\" for other stimuli"}};
-
 std::string item_factor_of_magnitude(const Protocol& protocol) {
   return protocol.estimation ? protocol.estimation->items : std::string();
 }
@@ -61,54 +56,69 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
   const auto& estimation = checked.protocol.estimation;
   if (!estimation || !estimation->modulus) {
     if (presented.size() != 1) {
-      problems.report(place,
-                      "a magnitude estimation presents exactly one surface per trial; list one "
-                      "here, or state the number of a standard under /estimation/modulus");
+      problems.report(
+          place, phrase("Protocols",
+                        "a magnitude estimation presents exactly one surface per trial; list one "
+                        "here, or state the number of a standard under %1")
+                     .with(place_name("/estimation/modulus")));
     } else if (presented.front().role == kStandardRole) {
       problems.report(place + "/0/role",
-                      "without a modulus the surface of a trial is the estimated one; write "
-                      "\"target\", or state the number of a standard under /estimation/modulus");
+                      phrase("Protocols",
+                             "without a modulus the surface of a trial is the estimated one; write "
+                             "%1, or state the number of a standard under %2")
+                          .with(in_quotes("target"), place_name("/estimation/modulus")));
     }
     return;
   }
   if (presented.size() != 2 || presented[0].role != kStandardRole ||
       presented[1].role == kStandardRole) {
     problems.report(place,
-                    "with a modulus each trial presents the standard and then the estimated "
-                    "surface; list two surfaces, the first one with the role \"standard\"");
+                    phrase("Protocols",
+                           "with a modulus each trial presents the standard and then the estimated "
+                           "surface; list two surfaces, the first one with the role %1")
+                        .with(in_quotes(kStandardRole)));
     return;
   }
   const auto level = presented[0].with.find(estimation->factor());
   if (level == presented[0].with.end() || text_of(level->second) != estimation->modulus->standard) {
-    problems.report(place + "/0", "the standard is the level " +
-                                      in_quotes(estimation->modulus->standard) + " of the factor " +
-                                      in_quotes(estimation->factor()) +
-                                      "; state this level under \"with\"");
+    problems.report(
+        place + "/0",
+        phrase("Protocols",
+               "the standard is the level %1 of the factor %2; state this level under %3")
+            .with(in_quotes(estimation->modulus->standard), in_quotes(estimation->factor()),
+                  key_name("with")));
   }
   if (checked.block.positions != Protocol::Block::Positions::as_listed) {
-    problems.report(checked.pointer + "/positions",
-                    "the standard precedes the estimated surface in every trial; set this to "
-                    "\"as_listed\"");
+    problems.report(
+        checked.pointer + "/positions",
+        phrase("Protocols",
+               "the standard precedes the estimated surface in every trial; set this to %1")
+            .with(in_quotes("as_listed")));
   }
   if (checked.block.has_anchors() &&
       checked.block.anchor_places == std::vector{AnchorPlace::start}) {
     problems.report(checked.pointer + "/anchor",
-                    "every trial begins with the standard, so that an anchor at the start is not "
-                    "needed; remove this key, or name further places under \"anchor_at\"");
+                    phrase("Protocols",
+                           "every trial begins with the standard, so that an anchor at the start "
+                           "is not needed; remove this key, or name further places under %1")
+                        .with(key_name("anchor_at")));
   }
   if (std::holds_alternative<LineForm>(checked.question.form)) {
     problems.report(checked.at_question + "/line",
-                    "the standard has a number, to which a line without a number cannot be "
-                    "compared; remove this key, or set /estimation/modulus to \"free\"");
+                    phrase("Protocols",
+                           "the standard has a number, to which a line without a number cannot be "
+                           "compared; remove this key, or set %1 to %2")
+                        .with(place_name("/estimation/modulus"), in_quotes("free")));
   }
 }
 
 void check_trial_of_magnitude(const BlockOfKind& checked, const Trial&, ProblemSink& problems) {
   if (checked.protocol.observer.expectation == ObserverDeclaration::Expectation::none) return;
-  problems.report(
-      "/observer/expectation",
-      "an observer derives a magnitude estimate from the felt force and has no expectation: set "
-      "this to \"none\"");
+  problems.report("/observer/expectation",
+                  phrase("Protocols",
+                         "an observer derives a magnitude estimate from the felt force and has no "
+                         "expectation: set this to %1")
+                      .with(in_quotes("none")));
 }
 
 VirtualResponse judge_magnitude(const Judgement& judgement) {
@@ -131,14 +141,20 @@ VirtualResponse judge_magnitude(const Judgement& judgement) {
 }  // namespace
 
 const ExperimentKind& magnitude_kind() {
+  static const std::array kKeys{RequiredKey{
+      "estimation",
+      phrase("Protocols",
+             "a magnitude estimation must state the factor by which estimates are analysed: add "
+             "the key %1 with this factor as %2, or as %3 for other stimuli")
+          .with(key_name("estimation"), key_name("spacing"), key_name("factor"))}};
   static const ExperimentKind kKind{.id = "magnitude",
-                                    .name = "magnitude estimation",
+                                    .name = phrase("Protocols", "magnitude estimation"),
                                     .roles = kMagnitudeRoles,
                                     .form = NumberForm{.is_estimate = true},
                                     .other_form = LineForm{},
                                     .anchor_role = "anchor",
                                     .tests = kMagnitudeTests,
-                                    .required = kMagnitudeKeys,
+                                    .required = kKeys,
                                     .item_factor = item_factor_of_magnitude,
                                     .item_of = item_of_magnitude,
                                     .check = check_estimation,

@@ -36,15 +36,17 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
   const Protocol::TrialQuestionTemplate& question = checked.question;
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
-    problems.report(checked.pointer + "/presented",
-                    "a matching needs at least two surfaces to assign; list them here");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols", "a matching needs at least two surfaces to assign; list them here"));
   }
   if (question.pictures.size() != checked.block.presented.size()) {
     problems.report(place + (question.pictures.empty() ? "" : "/pictures"),
-                    "a matching needs as many pictures as surfaces; pictures given: " +
-                        std::to_string(question.pictures.size()) +
-                        ", surfaces given: " + std::to_string(checked.block.presented.size()) +
-                        "; add or remove pictures");
+                    phrase("Protocols",
+                           "a matching needs as many pictures as surfaces; pictures given: %1, "
+                           "surfaces given: %2; add or remove pictures")
+                        .with(std::to_string(question.pictures.size()),
+                              std::to_string(checked.block.presented.size())));
   }
 }
 
@@ -72,7 +74,7 @@ VirtualResponse judge_matching(const Judgement& judgement) {
 
 const ExperimentKind& matching_kind() {
   static const ExperimentKind kKind{.id = "matching",
-                                    .name = "matching",
+                                    .name = phrase("Protocols", "matching"),
                                     .roles = kTargetRole,
                                     .form = AssignmentForm{},
                                     .has_expectations = true,

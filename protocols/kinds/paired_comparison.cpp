@@ -61,19 +61,19 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
       if (question.name != first->name || question.prompt != first->prompt ||
           tie_of(question) != tie_of(*first)) {
         problems.report(at_question,
-                        "the main blocks of a paired comparison are analysed together, and the "
-                        "block " +
-                            in_quotes(first_block->name) +
-                            " has another question; give both questions the same name, prompt and "
-                            "tie, or write a protocol for each of them");
+                        phrase("Protocols",
+                               "the main blocks of a paired comparison are analysed together, and "
+                               "the block %1 has another question; give both questions the same "
+                               "name, prompt and tie, or write a protocol for each of them")
+                            .with(in_quotes(first_block->name)));
       }
       if (items_of_pairs(block) != items_of_pairs(*first_block)) {
         problems.report(pointer + "/presented",
-                        "the main blocks of a paired comparison are analysed together, and the "
-                        "block " +
-                            in_quotes(first_block->name) +
-                            " compares other surfaces; give both blocks the same stimulus and "
-                            "all_pairs, or write a protocol for each of them");
+                        phrase("Protocols",
+                               "the main blocks of a paired comparison are analysed together, and "
+                               "the block %1 compares other surfaces; give both blocks the same "
+                               "stimulus and %2, or write a protocol for each of them")
+                            .with(in_quotes(first_block->name), key_name("all_pairs")));
       }
     }
   }
@@ -82,15 +82,19 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
 void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
   if (checked.block.presented.size() != 2) {
     problems.report(checked.pointer + "/presented",
-                    "a paired comparison presents exactly two surfaces per trial; for all pairs of "
-                    "the levels of a factor, add \"all_pairs\" and list one surface");
+                    phrase("Protocols",
+                           "a paired comparison presents exactly two surfaces per trial; for all "
+                           "pairs of the levels of a factor, add %1 and list one surface")
+                        .with(key_name("all_pairs")));
   }
   if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
       checked.block.positions == Protocol::Block::Positions::as_listed) {
-    problems.report(checked.pointer + "/presented",
-                    "the same surface would always be presented first, so that an order "
-                    "effect could not be distinguished from a difference; set \"positions\" to "
-                    "\"balanced\" or \"shuffle\"");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols",
+               "the same surface would always be presented first, so that an order effect could "
+               "not be distinguished from a difference; set %1 to %2 or %3")
+            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
   }
   check_prompt_for_sample(checked, problems);
 }
@@ -99,10 +103,11 @@ void check_trial_of_pairs(const BlockOfKind& checked, const Trial& trial, Proble
   if (checked.protocol.realism_standard) check_surfaces_with_standard(checked, trial, problems);
   for (const PlannedPresentation& planned : trial.presentations) {
     if (planned.item != kTieOption) continue;
-    problems.report(
-        checked.pointer + "/presented",
-        "a surface counts as \"tie\" in the responses, but this is the name of a tie; give "
-        "the surface another name");
+    problems.report(checked.pointer + "/presented",
+                    phrase("Protocols",
+                           "a surface counts as %1 in the responses, but this is the name of a "
+                           "tie; give the surface another name")
+                        .with(in_quotes(kTieOption)));
   }
 }
 
@@ -129,7 +134,7 @@ VirtualResponse judge_pair(const Judgement& judgement) {
 
 const ExperimentKind& paired_comparison_kind() {
   static const ExperimentKind kKind{.id = "paired_comparison",
-                                    .name = "paired comparison",
+                                    .name = phrase("Protocols", "paired comparison"),
                                     .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
                                     .tests = kPairedTests,

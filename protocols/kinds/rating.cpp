@@ -36,8 +36,9 @@ std::string item_of_rating(const PlannedPresentation& surface) {
 
 void check_block_of_rating(const BlockOfKind& checked, ProblemSink& problems) {
   if (checked.block.presented.size() != 1) {
-    problems.report(checked.pointer + "/presented",
-                    "a rating presents exactly one surface per trial; list one here");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols", "a rating presents exactly one surface per trial; list one here"));
   }
 }
 
@@ -84,7 +85,7 @@ VirtualResponse judge_rating(const Judgement& judgement) {
 
 const ExperimentKind& rating_kind() {
   static const ExperimentKind kKind{.id = "rating",
-                                    .name = "rating",
+                                    .name = phrase("Protocols", "rating"),
                                     .roles = kTargetRole,
                                     .form = ScaleForm{},
                                     .asks_several = true,

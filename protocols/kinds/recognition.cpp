@@ -35,16 +35,22 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
   const Protocol::TrialQuestionTemplate& question = checked.question;
   const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 1) {
-    problems.report(checked.pointer + "/presented",
-                    "a recognition presents exactly one surface per trial; list one here");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols", "a recognition presents exactly one surface per trial; list one here"));
   }
   if (question.pictures.empty()) {
-    problems.report(place, "a recognition needs \"pictures\" to choose from; add this key");
+    problems.report(place,
+                    phrase("Protocols", "a recognition needs %1 to choose from; add this key")
+                        .with(key_name("pictures")));
   }
   if (question.correct_factor().empty()) {
-    problems.report(place,
-                    "a recognition needs \"correct_factor\": the factor whose level is the correct "
-                    "picture; add this key");
+    problems.report(
+        place,
+        phrase(
+            "Protocols",
+            "a recognition needs %1: the factor whose level is the correct picture; add this key")
+            .with(key_name("correct_factor")));
     return;
   }
   if (!checked.protocol.factors.contains(question.correct_factor())) {
@@ -55,9 +61,10 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
   for (const Protocol::Run* const run : runs_of(checked.protocol, checked.block)) {
     if (factors_set_by(checked.block, run).contains(question.correct_factor())) continue;
     problems.report(place + "/correct_factor",
-                    "the trials of this block do not set the factor " +
-                        in_quotes(question.correct_factor()) +
-                        ": cross, list or draw it, or run the block for_each of its levels");
+                    phrase("Protocols",
+                           "the trials of this block do not set the factor %1: cross, list or draw "
+                           "it, or run the block %2 of its levels")
+                        .with(in_quotes(question.correct_factor()), key_name("for_each")));
   }
 }
 
@@ -67,9 +74,10 @@ void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
   const std::string& correct = find_question(trial, checked.question.name)->correct.front();
   if (texture.empty() || correct == texture) return;
   problems.report(checked.at_question + "/correct_factor",
-                  "the correct response would be " + in_quotes(correct) +
-                      ", but the texture felt is " + in_quotes(texture) +
-                      "; name the factor of the texture");
+                  phrase("Protocols",
+                         "the correct response would be %1, but the texture felt is %2; name the "
+                         "factor of the texture")
+                      .with(in_quotes(correct), in_quotes(texture)));
 }
 
 VirtualResponse judge_recognition(const Judgement& judgement) {
@@ -88,7 +96,7 @@ VirtualResponse judge_recognition(const Judgement& judgement) {
 
 const ExperimentKind& recognition_kind() {
   static const ExperimentKind kKind{.id = "recognition",
-                                    .name = "recognition",
+                                    .name = phrase("Protocols", "recognition"),
                                     .roles = kTargetRole,
                                     .form = ChoiceForm{},
                                     .has_expectations = true,

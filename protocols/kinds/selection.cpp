@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "protocols/design/wording.h"
 #include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
 #include "protocols/kinds/kind_list.h"
@@ -30,17 +31,14 @@ constexpr std::array kSelectionTests{
              "whether the proportions of choices of the items differ between two groups, for every "
              "pair of groups"}};
 
-constexpr std::array kSelectionKeys{
-    RequiredKey{"realism_standard",
-                "a selection must state the standard of realism: add the key \"realism_standard\" "
-                "with \"photograph\", \"physical_sample\" or \"memory\""}};
-
 std::string item_of_selection(const PlannedPresentation& surface) { return surface.stimulus.model; }
 
 void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems) {
   if (checked.block.presented.size() < 2) {
-    problems.report(checked.pointer + "/presented",
-                    "a selection needs at least two surfaces to choose from; list them here");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols",
+               "a selection needs at least two surfaces to choose from; list them here"));
   }
   check_prompt_for_sample(checked, problems);
 }
@@ -54,8 +52,10 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
   if (checked.protocol.observer.expectation != ObserverDeclaration::Expectation::none &&
       !shows_a_texture) {
     problems.report(checked.pointer + "/presented",
-                    "the observer's \"expectation\" requires surfaces with a texture: give them a "
-                    "texture, or set \"expectation\" to \"none\"");
+                    phrase("Protocols",
+                           "the observer's %1 requires surfaces with a texture: give them a "
+                           "texture, or set %1 to %2")
+                        .with(key_name("expectation"), in_quotes("none")));
   }
 }
 
@@ -84,13 +84,19 @@ VirtualResponse judge_selection(const Judgement& judgement) {
 }  // namespace
 
 const ExperimentKind& selection_kind() {
+  static const std::array kKeys{RequiredKey{
+      "realism_standard",
+      phrase("Protocols",
+             "a selection must state the standard of realism: add the key %1 with %2, %3 or %4")
+          .with(key_name("realism_standard"), in_quotes("photograph"), in_quotes("physical_sample"),
+                in_quotes("memory"))}};
   static const ExperimentKind kKind{.id = "selection",
-                                    .name = "selection",
+                                    .name = phrase("Protocols", "selection"),
                                     .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
                                     .has_expectations = true,
                                     .tests = kSelectionTests,
-                                    .required = kSelectionKeys,
+                                    .required = kKeys,
                                     .item_of = item_of_selection,
                                     .check_block = check_block_of_selection,
                                     .check_trial = check_trial_of_selection,

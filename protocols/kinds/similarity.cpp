@@ -36,15 +36,19 @@ std::string item_of_similarity(const PlannedPresentation& surface) {
 void check_block_of_similarity(const BlockOfKind& checked, ProblemSink& problems) {
   if (checked.block.presented.size() != 2) {
     problems.report(checked.pointer + "/presented",
-                    "a similarity presents exactly two surfaces per trial; for all pairs of the "
-                    "levels of a factor, add \"all_pairs\" and list one surface");
+                    phrase("Protocols",
+                           "a similarity presents exactly two surfaces per trial; for all pairs of "
+                           "the levels of a factor, add %1 and list one surface")
+                        .with(key_name("all_pairs")));
   }
   if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
       checked.block.positions == Protocol::Block::Positions::as_listed) {
-    problems.report(checked.pointer + "/presented",
-                    "the same surface would always be presented first, so that an order effect "
-                    "could not be distinguished from a difference; set \"positions\" to "
-                    "\"balanced\" or \"shuffle\"");
+    problems.report(
+        checked.pointer + "/presented",
+        phrase("Protocols",
+               "the same surface would always be presented first, so that an order effect could "
+               "not be distinguished from a difference; set %1 to %2 or %3")
+            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
   }
 }
 
@@ -65,12 +69,12 @@ void check_question_of_similarity(const Protocol& protocol, ProblemSink& problem
       if (question.name == first->name && question.prompt == first->prompt &&
           rated_quantity(question) == rated_quantity(*first))
         continue;
-      problems.report(
-          place_of_question(block, i),
-          "the main blocks of a similarity are analysed together, and the block " +
-              in_quotes(first_block->name) +
-              " has another question; give both questions the same name, prompt and \"rates\", or "
-              "write a protocol for each of them");
+      problems.report(place_of_question(block, i),
+                      phrase("Protocols",
+                             "the main blocks of a similarity are analysed together, and the block "
+                             "%1 has another question; give both questions the same name, prompt "
+                             "and %2, or write a protocol for each of them")
+                          .with(in_quotes(first_block->name), key_name("rates")));
     }
   }
 }
@@ -108,7 +112,7 @@ RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question) {
 
 const ExperimentKind& similarity_kind() {
   static const ExperimentKind kKind{.id = "similarity",
-                                    .name = "similarity",
+                                    .name = phrase("Protocols", "similarity"),
                                     .roles = kAlternativeRole,
                                     .form = ScaleForm{},
                                     .tests = kSimilarityTests,

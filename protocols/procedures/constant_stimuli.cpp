@@ -21,30 +21,36 @@ void check_constant(const ProcedureSettings& settings, ProcedureProblems& proble
   const ConstantStimuli& method = of(settings);
   if (method.levels.empty()) {
     problems.report("levels",
-                    "there is no level; state at least one, better five to nine around "
-                    "the expected threshold");
+                    phrase("Protocols",
+                           "there is no level; state at least one, better five to nine around the "
+                           "expected threshold"));
   }
   if (method.levels.size() > kMostLevels) {
-    problems.report("levels",
-                    "there are more than " + std::to_string(kMostLevels) + " levels; remove some");
+    problems.report("levels", phrase("Protocols", "there are more than %1 levels; remove some")
+                                  .with(std::to_string(kMostLevels)));
   }
   for (std::size_t i = 0; i < method.levels.size(); ++i) {
     if (!std::isfinite(method.levels[i])) {
-      problems.report("levels", "level " + std::to_string(i + 1) +
-                                    " is not a finite number; correct or remove it");
+      problems.report("levels",
+                      phrase("Protocols", "level %1 is not a finite number; correct or remove it")
+                          .with(std::to_string(i + 1)));
       return;
     }
     if (i == 0 || method.levels[i] > method.levels[i - 1]) continue;
-    problems.report("levels", "the level " + number_text(method.levels[i]) + " follows " +
-                                  number_text(method.levels[i - 1]) +
-                                  "; list the levels in ascending order, each once");
+    problems.report("levels",
+                    phrase("Protocols",
+                           "the level %1 follows %2; list the levels in ascending order, each once")
+                        .with(number_text(method.levels[i]), number_text(method.levels[i - 1])));
     return;
   }
   if (method.repetitions == 0) {
-    problems.report("repetitions", "no level is presented; set the repetitions to 1 or more");
+    problems.report("repetitions",
+                    phrase("Protocols", "no level is presented; set the repetitions to 1 or more"));
   } else if (method.repetitions > kMostTrials / std::max<std::size_t>(method.levels.size(), 1)) {
-    problems.report("repetitions", "the track has more than " + std::to_string(kMostTrials) +
-                                       " trials; use fewer repetitions or levels");
+    problems.report(
+        "repetitions",
+        phrase("Protocols", "the track has more than %1 trials; use fewer repetitions or levels")
+            .with(std::to_string(kMostTrials)));
   }
 }
 

@@ -31,14 +31,17 @@ void check_external(const ProcedureSettings& settings, ProcedureProblems& proble
   }
   if (method.trials == 0 || method.trials > kMostTrials) {
     problems.report("stop.trials",
-                    "a program must not be able to continue a track without end; state the "
-                    "maximum number of trials of a track, between 1 and " +
-                        std::to_string(kMostTrials));
+                    phrase("Protocols",
+                           "a program must not be able to continue a track without end; state the "
+                           "maximum number of trials of a track, between 1 and %1")
+                        .with(std::to_string(kMostTrials)));
   }
   if (!(method.answer_within_s >= 1.0 && method.answer_within_s <= 600.0)) {
-    problems.report("answer_within_s", "the program cannot have " +
-                                           number_text(method.answer_within_s) +
-                                           " s for its answer; state between 1 and 600 seconds");
+    problems.report(
+        "answer_within_s",
+        phrase("Protocols",
+               "the program cannot have %1 s for its answer; state between 1 and 600 seconds")
+            .with(number_text(method.answer_within_s)));
   }
 }
 

@@ -20,8 +20,8 @@ double steps_above_lowest(const LevelGrid& grid, double level) {
          step_length(grid.scale, grid.step);
 }
 
-std::string least_step(LevelScale scale) {
-  return scale == LevelScale::ratio ? "above 1, such as 1.1 for steps of 10 %" : "above 0";
+Phrase least_step(LevelScale scale) {
+  return scale == LevelScale::ratio ? phrase("Protocols", "1, such as 1.1 for steps of 10 %") : "0";
 }
 
 }  // namespace
@@ -32,33 +32,41 @@ void check_grid(const LevelGrid& grid, const std::string& name, ProcedureProblem
        {std::pair{"lowest", grid.lowest}, std::pair{"highest", grid.highest},
         std::pair{"step", grid.step}}) {
     if (std::isfinite(value)) continue;
-    problems.report(prefix + setting, std::string(setting) + " is not a finite number; state one");
+    problems.report(prefix + setting,
+                    phrase("Protocols", "%1 is not a finite number; state one").with(setting));
     return;
   }
   if (!(step_length(grid.scale, grid.step) > 0.0)) {
-    problems.report(prefix + "step", "the step " + number_text(grid.step) +
-                                         " does not change the level; on the scale " +
-                                         std::string(name_of(grid.scale)) + " it must be " +
-                                         least_step(grid.scale));
+    problems.report(
+        prefix + "step",
+        phrase("Protocols",
+               "the step %1 does not change the level; on the scale %2 it must be above %3")
+            .with(number_text(grid.step), std::string(name_of(grid.scale)),
+                  least_step(grid.scale)));
     return;
   }
   if (grid.scale != LevelScale::linear && !(grid.lowest > 0.0)) {
-    problems.report(prefix + "lowest", "the lowest level is " + number_text(grid.lowest) +
-                                           "; on the scale " + std::string(name_of(grid.scale)) +
-                                           " levels are above 0: raise it, or use the scale "
-                                           "linear");
+    problems.report(prefix + "lowest",
+                    phrase("Protocols",
+                           "the lowest level is %1; on the scale %2 levels are above 0: raise it, "
+                           "or use the scale linear")
+                        .with(number_text(grid.lowest), std::string(name_of(grid.scale))));
     return;
   }
   if (grid.lowest > grid.highest) {
-    problems.report(prefix + "highest", "the grid is empty: its highest level " +
-                                            number_text(grid.highest) + " is below its lowest " +
-                                            number_text(grid.lowest) +
-                                            "; exchange them, or correct the unit of one of them");
+    problems.report(prefix + "highest",
+                    phrase("Protocols",
+                           "the grid is empty: its highest level %1 is below its lowest %2; "
+                           "exchange them, or correct the unit of one of them")
+                        .with(number_text(grid.highest), number_text(grid.lowest)));
     return;
   }
   if (steps_above_lowest(grid, grid.highest) >= static_cast<double>(kMostLevels)) {
-    problems.report(prefix + "step", "the grid has more than " + std::to_string(kMostLevels) +
-                                         " levels; use a larger step or a narrower range");
+    problems.report(
+        prefix + "step",
+        phrase("Protocols",
+               "the grid has more than %1 levels; use a larger step or a narrower range")
+            .with(std::to_string(kMostLevels)));
   }
 }
 

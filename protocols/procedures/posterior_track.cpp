@@ -31,31 +31,36 @@ std::vector<double> differences_of(const PosteriorTrack& track) {
 
 void check_posterior_stop(const PosteriorStop& stop, ProcedureProblems& problems) {
   if (stop.trials == 0) {
-    problems.report("stop.trials",
-                    "the number of trials has no limit; state a maximum number of trials");
+    problems.report(
+        "stop.trials",
+        phrase("Protocols", "the number of trials has no limit; state a maximum number of trials"));
   } else if (stop.trials > kMostTrials) {
-    problems.report("stop.trials", "the maximum number of trials is above " +
-                                       std::to_string(kMostTrials) + "; lower it");
+    problems.report("stop.trials",
+                    phrase("Protocols", "the maximum number of trials is above %1; lower it")
+                        .with(std::to_string(kMostTrials)));
   }
   if (!stop.interval) return;
   const IntervalRule& rule = *stop.interval;
   if (!(std::isfinite(rule.ratio) && rule.ratio > 1.0)) {
     problems.report("stop.interval.ratio",
-                    "the ratio " + number_text(rule.ratio) +
-                        " of the upper to the lower end of an interval must be above 1, such as "
-                        "1.5; raise it");
+                    phrase("Protocols",
+                           "the ratio %1 of the upper to the lower end of an interval must be "
+                           "above 1, such as 1.5; raise it")
+                        .with(number_text(rule.ratio)));
   }
   if (rule.minimum_trials > stop.trials) {
     problems.report("stop.interval.minimum_trials",
-                    "the interval cannot end a track before trial " +
-                        std::to_string(rule.minimum_trials) + ", but the track has at most " +
-                        std::to_string(stop.trials) + "; lower the minimum, or allow more trials");
+                    phrase("Protocols",
+                           "the interval cannot end a track before trial %1, but the track has at "
+                           "most %2; lower the minimum, or allow more trials")
+                        .with(std::to_string(rule.minimum_trials), std::to_string(stop.trials)));
   }
   if (rule.minimum_of_each > stop.trials / 2) {
     problems.report("stop.interval.minimum_of_each",
-                    "a track of " + std::to_string(stop.trials) + " trials cannot have " +
-                        std::to_string(rule.minimum_of_each) +
-                        " correct and as many incorrect responses; lower the number");
+                    phrase("Protocols",
+                           "a track of %1 trials cannot have %2 correct and as many incorrect "
+                           "responses; lower the number")
+                        .with(std::to_string(stop.trials), std::to_string(rule.minimum_of_each)));
   }
 }
 
@@ -64,23 +69,26 @@ bool check_range(const ValueRange& range, const std::string& setting, bool may_b
                  ProcedureProblems& problems) {
   if (!std::isfinite(range.lowest) || !std::isfinite(range.highest) ||
       !(may_begin_at_0 ? range.lowest >= 0.0 : range.lowest > 0.0)) {
-    problems.report(setting, "the range begins at " + number_text(range.lowest) +
-                                 "; it must begin " +
-                                 (may_begin_at_0 ? "at 0 or above" : "above 0"));
+    problems.report(
+        setting,
+        (may_begin_at_0 ? phrase("Protocols", "the range begins at %1; it must begin at 0 or above")
+                        : phrase("Protocols", "the range begins at %1; it must begin above 0"))
+            .with(number_text(range.lowest)));
     return false;
   }
   if (range.count == 0 || range.count > kMostValues) {
-    problems.report(setting, "the range has " + std::to_string(range.count) +
-                                 " values; state 1 to " + std::to_string(kMostValues));
+    problems.report(setting, phrase("Protocols", "the range has %1 values; state 1 to %2")
+                                 .with(std::to_string(range.count), std::to_string(kMostValues)));
     return false;
   }
   const bool is_ascending =
       range.count == 1 ? range.lowest == range.highest : range.lowest < range.highest;
   if (!is_ascending) {
-    problems.report(setting, std::to_string(range.count) + " values from " +
-                                 number_text(range.lowest) + " to " + number_text(range.highest) +
-                                 " are not a range; state a highest value above the lowest one, or "
-                                 "1 value with both equal");
+    problems.report(setting, phrase("Protocols",
+                                    "%1 values from %2 to %3 are not a range; state a highest "
+                                    "value above the lowest one, or 1 value with both equal")
+                                 .with(std::to_string(range.count), number_text(range.lowest),
+                                       number_text(range.highest)));
   }
   return is_ascending;
 }
@@ -92,29 +100,35 @@ void check_prior(const PosteriorTrack& track, ProcedureProblems& problems) {
   is_usable = check_range(prior.lapses, "prior.lapse", true, problems) && is_usable;
   if (!is_usable) return;
   if (prior.thresholds.count < 2) {
-    problems.report("prior.threshold",
-                    "a single threshold leaves nothing to estimate; state at least 2 values");
+    problems.report(
+        "prior.threshold",
+        phrase("Protocols",
+               "a single threshold leaves nothing to estimate; state at least 2 values"));
   }
   if (!(prior.lapses.highest > 0.0)) {
     problems.report("prior.lapse",
-                    "without lapses an incorrect response to an easy level is impossible; state a "
-                    "highest lapse rate above 0, such as 0.06");
+                    phrase("Protocols",
+                           "without lapses an incorrect response to an easy level is impossible; "
+                           "state a highest lapse rate above 0, such as 0.06"));
   }
   if (!(prior.performance > prior.guess_rate && prior.performance < 1.0 - prior.lapses.highest)) {
-    problems.report("target", "the target " + number_text(prior.performance) + " must be above " +
-                                  number_text(prior.guess_rate) +
-                                  ", the proportion of correct guesses, and below " +
-                                  number_text(1.0 - prior.lapses.highest) +
-                                  ", 1 minus the highest lapse rate; state one, such as 0.75");
+    problems.report("target",
+                    phrase("Protocols",
+                           "the target %1 must be above %2, the proportion of correct guesses, and "
+                           "below %3, 1 minus the highest lapse rate; state one, such as 0.75")
+                        .with(number_text(prior.performance), number_text(prior.guess_rate),
+                              number_text(1.0 - prior.lapses.highest)));
   }
   const double entries =
       static_cast<double>(prior.thresholds.count) * static_cast<double>(prior.slopes.count) *
       static_cast<double>(prior.lapses.count) * static_cast<double>(size_of(track.grid));
   if (entries > kMostTableEntries) {
-    problems.report("prior.threshold",
-                    "thresholds, slopes, lapse rates and levels have " + number_text(entries) +
-                        " combinations, which would delay the trials; reduce their numbers to " +
-                        number_text(kMostTableEntries) + " combinations or less");
+    problems.report(
+        "prior.threshold",
+        phrase("Protocols",
+               "thresholds, slopes, lapse rates and levels have %1 combinations, which would delay "
+               "the trials; reduce their numbers to %2 combinations or less")
+            .with(number_text(entries), number_text(kMostTableEntries)));
   }
 }
 
@@ -208,9 +222,10 @@ void check_posterior_track(const PosteriorTrack& track, ProcedureProblems& probl
   check_grid(track.grid, "grid", problems);
   if (problems.all().size() > before) return;  // the prior refers to the grid
   if (size_of(track.grid) < 2) {
-    problems.report("grid.step", "the grid has only one level, " + number_text(track.grid.lowest) +
-                                     ", so that there is nothing to choose; reduce its step, or "
-                                     "widen its bounds");
+    problems.report("grid.step", phrase("Protocols",
+                                        "the grid has only one level, %1, so that there is nothing "
+                                        "to choose; reduce its step, or widen its bounds")
+                                     .with(number_text(track.grid.lowest)));
     return;
   }
   check_prior(track, problems);

@@ -12,7 +12,7 @@ namespace {
 void refuse_problems(const ProcedureSettings& settings) {
   const std::vector<ProcedureProblem> problems = problems_of(settings);
   if (problems.empty()) return;
-  throw std::invalid_argument(problems.front().setting + ": " + problems.front().message);
+  throw std::invalid_argument(problems.front().setting + ": " + problems.front().message.english());
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/rounded_text.h"
@@ -38,76 +37,90 @@ MovedIndex moved(const UpDownTrack& track, const LevelAnswer& answer, UpDownMove
 
 void check_start(const LevelGrid& grid, double start, ProcedureProblems& problems) {
   if (!(start >= grid.lowest && start <= grid.highest) && !is_on(grid, start)) {
-    problems.report("start", "the start " + number_text(start) + " is outside the bounds " +
-                                 number_text(grid.lowest) + " and " + number_text(grid.highest) +
-                                 "; choose a level between them, or widen them");
+    problems.report("start", phrase("Protocols",
+                                    "the start %1 is outside the bounds %2 and %3; choose a level "
+                                    "between them, or widen them")
+                                 .with(number_text(start), number_text(grid.lowest),
+                                       number_text(grid.highest)));
     return;
   }
   if (is_on(grid, start)) return;
   if (size_of(grid) == 1) {
-    problems.report("start", "the grid has only one level, " + number_text(grid.lowest) +
-                                 "; reduce its step, or widen its bounds");
+    problems.report(
+        "start",
+        phrase("Protocols", "the grid has only one level, %1; reduce its step, or widen its bounds")
+            .with(number_text(grid.lowest)));
     return;
   }
   const double nearest = level_of(grid, nearest_index(grid, start));
-  problems.report("start", "the start " + number_text(start) +
-                               " is not a level of the grid; use the nearest level, " +
-                               rounded_text(nearest));
+  problems.report(
+      "start",
+      phrase("Protocols", "the start %1 is not a level of the grid; use the nearest level, %2")
+          .with(number_text(start), rounded_text(nearest)));
 }
 
 void check_steps(const LevelGrid& grid, const StepList& steps, const std::string& setting,
                  ProcedureProblems& problems) {
   if (steps.empty()) {
-    problems.report(setting, "there is no step; state at least one");
+    problems.report(setting, phrase("Protocols", "there is no step; state at least one"));
     return;
   }
   for (const double step : steps) {
     if (!std::isfinite(step) || !(step_length(grid.scale, step) > 0.0)) {
-      problems.report(setting, "the step " + number_text(step) +
-                                   " does not change the level; on the scale " +
-                                   std::string(name_of(grid.scale)) + " it must be above " +
-                                   (grid.scale == LevelScale::ratio ? "1" : "0"));
+      problems.report(
+          setting,
+          phrase("Protocols",
+                 "the step %1 does not change the level; on the scale %2 it must be above %3")
+              .with(number_text(step), std::string(name_of(grid.scale)),
+                    grid.scale == LevelScale::ratio ? "1" : "0"));
     } else if (grid_steps(grid, step) == 0) {
-      problems.report(setting, "the step " + number_text(step) +
-                                   " is not a whole number of steps of the grid (" +
-                                   number_text(grid.step) + "); change the step or the grid");
+      problems.report(setting, phrase("Protocols",
+                                      "the step %1 is not a whole number of steps of the grid "
+                                      "(%2); change the step or the grid")
+                                   .with(number_text(step), number_text(grid.step)));
     }
   }
 }
 
 void check_stop(const StopRules& stop, ProcedureProblems& problems) {
   if (stop.trials == 0 && !stop.reversals && !stop.clipped_moves) {
-    problems.report("stop",
-                    "there is no stopping rule; state a maximum number of trials, with or "
-                    "without a number of reversals");
+    problems.report("stop", phrase("Protocols",
+                                   "there is no stopping rule; state a maximum number of trials, "
+                                   "with or without a number of reversals"));
   } else if (stop.trials == 0) {
     problems.report("stop.trials",
-                    "the number of trials has no limit, and a track that stays at "
-                    "a bound never reverses; state a maximum number of trials");
+                    phrase("Protocols",
+                           "the number of trials has no limit, and a track that stays at a bound "
+                           "never reverses; state a maximum number of trials"));
   } else if (stop.trials > kMostTrials) {
-    problems.report("stop.trials", "the maximum number of trials is above " +
-                                       std::to_string(kMostTrials) + "; lower it");
+    problems.report("stop.trials",
+                    phrase("Protocols", "the maximum number of trials is above %1; lower it")
+                        .with(std::to_string(kMostTrials)));
   }
   if (stop.reversals == std::size_t{0}) {
-    problems.report("stop.reversals",
-                    "a track with 0 reversals has no trial; state a number above "
-                    "0, or leave the rule out");
+    problems.report("stop.reversals", phrase("Protocols",
+                                             "a track with 0 reversals has no trial; state a "
+                                             "number above 0, or leave the rule out"));
   }
   if (stop.clipped_moves == std::size_t{0}) {
     problems.report("stop.clipped_moves",
-                    "a track that ends after 0 moves beyond a bound has no "
-                    "trial; state a number above 0, or leave the rule out");
+                    phrase("Protocols",
+                           "a track that ends after 0 moves beyond a bound has no trial; state a "
+                           "number above 0, or leave the rule out"));
   }
 }
 
 }  // namespace
 
 void check_track(const UpDownTrack& track, ProcedureProblems& problems) {
-  for (const auto& [setting, count] :
-       {std::pair{"up", track.rule.up}, std::pair{"down", track.rule.down}}) {
-    if (count > 0) continue;
-    problems.report(setting, std::string("the rule moves ") + setting +
-                                 " after 0 responses; state a number above 0");
+  if (track.rule.up == 0) {
+    problems.report(
+        "up", phrase("Protocols", "the rule moves up after 0 responses; state a number above 0"));
+  }
+  if (track.rule.down == 0) {
+    problems.report(
+        "down",
+        phrase("Protocols", "the rule moves down after 0 responses; state a number above 0"));
   }
   check_stop(track.stop, problems);
   const std::size_t before = problems.all().size();

@@ -36,20 +36,22 @@ void check_unsure_steps(const WeightedUpDown& method, ProcedureProblems& problem
   const std::size_t alternatives = *method.unforced_alternatives;
   const double weight = unsure_weight_of(method.target, alternatives);
   if (!(weight > 0.0)) {
-    problems.report("target",
-                    "the target " + number_text(method.target) + " is not above 1/" +
-                        std::to_string(alternatives) +
-                        ", the proportion of correct guesses, so that the response \"cannot tell\" "
-                        "would not lead to a higher level; use a higher target, such as 0.75");
+    problems.report("target", phrase("Protocols",
+                                     "the target %1 is not above 1/%2, the proportion of correct "
+                                     "guesses, so that the response \"cannot tell\" would not lead "
+                                     "to a higher level; use a higher target, such as 0.75")
+                                  .with(number_text(method.target), std::to_string(alternatives)));
     return;
   }
   problems.report(
-      "target", "the step up after the response \"cannot tell\" is " + rounded_text(weight) +
-                    " times the step down for the target " + number_text(method.target) + " and " +
-                    std::to_string(alternatives) +
-                    " alternatives, the mean step of a guess, which is not a whole number of steps "
-                    "of the grid; use a larger step down or a finer grid" +
-                    (alternatives == 2 ? ", or the target 0.75 (ratio 1)" : ""));
+      "target",
+      phrase("Protocols",
+             "the step up after the response \"cannot tell\" is %1 times the step down for the "
+             "target %2 and %3 alternatives, the mean step of a guess, which is not a whole number "
+             "of steps of the grid; use a larger step down or a finer grid%4")
+          .with(rounded_text(weight), number_text(method.target), std::to_string(alternatives),
+                alternatives == 2 ? phrase("Protocols", ", or the target 0.75 (ratio 1)")
+                                  : Phrase()));
 }
 
 void check_weighted(const ProcedureSettings& settings, ProcedureProblems& problems) {
@@ -65,10 +67,10 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
     if (problem.setting != "steps_up") problems.report(problem.setting, problem.message);
   }
   if (!is_proportion(method.target)) {
-    problems.report(
-        "target",
-        "the target " + number_text(method.target) +
-            " is not a proportion between 0 and 1; state one, such as 0.75 for two alternatives");
+    problems.report("target", phrase("Protocols",
+                                     "the target %1 is not a proportion between 0 and 1; state "
+                                     "one, such as 0.75 for two alternatives")
+                                  .with(number_text(method.target)));
     return;
   }
   if (!of_track.empty() || track_of(method)) return;
@@ -76,12 +78,12 @@ void check_weighted(const ProcedureSettings& settings, ProcedureProblems& proble
   forced.unforced_alternatives.reset();
   if (track_of(forced)) return check_unsure_steps(method, problems);
   const double weight = weight_of(method.target);
-  problems.report(
-      "target",
-      "a step up is " + rounded_text(weight) + " times the step down for the target " +
-          number_text(method.target) +
-          ", which is not a whole number of steps of the grid; use a target whose ratio is a whole "
-          "number, such as 0.75 (ratio 3), a larger step down, or a finer grid");
+  problems.report("target",
+                  phrase("Protocols",
+                         "a step up is %1 times the step down for the target %2, which is not a "
+                         "whole number of steps of the grid; use a target whose ratio is a whole "
+                         "number, such as 0.75 (ratio 3), a larger step down, or a finer grid")
+                      .with(rounded_text(weight), number_text(method.target)));
 }
 
 LevelRule weighted_rule(const ProcedureSettings& settings) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <variant>
@@ -60,6 +61,23 @@ const DesignNumber* find_design_number(std::string_view name) noexcept {
       std::find_if(kDesignNumbers.begin(), kDesignNumbers.end(),
                    [name](const DesignNumber& each) { return each.name == name; });
   return found == kDesignNumbers.end() ? nullptr : &*found;
+}
+
+Phrase noun_of(const DesignNumber& number) {
+  // For the nominative and the genitive of other languages, without an article.
+  static const std::map<std::string_view, Phrase> kNouns{
+      {"surfaces", phrase("Protocols", "surfaces")},
+      {"surface_names", phrase("Protocols", "surface_names")},
+      {"questions", phrase("Protocols", "questions")},
+      {"scales", phrase("Protocols", "scales")},
+      {"options", phrase("Protocols", "options")},
+      {"pictures", phrase("Protocols", "pictures")},
+      {"trials", phrase("Protocols", "trials")},
+      {"practice_trials", phrase("Protocols", "trials of practice")},
+      {"blocks", phrase("Protocols", "blocks")},
+      {"breaks", phrase("Protocols", "breaks")},
+      {"minutes", phrase("Protocols", "minutes")}};
+  return kNouns.at(number.name);
 }
 
 DesignValues values_of_block(const Protocol& protocol, const Block& block) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
 #include "protocols/plan/plan.h"
 #include "protocols/texts/placeholders.h"
 
@@ -46,6 +47,9 @@ inline constexpr std::array kDesignNumbers{
 
 /// Null if there is no such number.
 const DesignNumber* find_design_number(std::string_view name) noexcept;
+
+/// What it counts: "scales".
+Phrase noun_of(const DesignNumber& number);
 
 /// Those of a trial of the block that have a value: no `scales` in a block without scales.
 DesignValues values_of_block(const Protocol& protocol, const Protocol::Block& block);

@@ -76,7 +76,7 @@ class AnalysisWarnings final {
   }
 
  private:
-  void warn(const std::string& pointer, std::string message) {
+  void warn(const std::string& pointer, Phrase message) {
     found_.push_back(document_.at(pointer, std::move(message)));
   }
 
@@ -86,28 +86,30 @@ class AnalysisWarnings final {
     for (std::size_t i = 0; i < family.size(); ++i) {
       if (find_test(discrimination_kind(), family[i]) == nullptr || discriminations_.empty())
         continue;
-      const std::optional<std::string> reason = reason_against(family[i]);
+      const std::optional<Phrase> reason = reason_against(family[i]);
       if (!reason) continue;
       warn(pointer_to("/analysis/family", i),
-           "the test " + in_quotes(family[i]) + " is not possible: " + *reason + "; remove it");
+           phrase("Protocols", "the test %1 is not possible: %2; remove it")
+               .with(in_quotes(family[i]), *reason));
     }
   }
 
-  std::optional<std::string> reason_against(const std::string& test) const {
+  std::optional<Phrase> reason_against(const std::string& test) const {
     const auto all_are = [this](auto&& trait) {
       return std::all_of(discriminations_.begin(), discriminations_.end(), trait);
     };
     if (test == "order" &&
         all_are([](const Block* block) { return block->design()->has_noise(); })) {
-      return "the responses are words, and no surface is chosen";
+      return phrase("Protocols", "the responses are words, and no surface is chosen");
     }
     if (test == "point_of_subjective_equality" && all_are(has_correct_responses)) {
-      return "it requires the judgement \"comparison\"";
+      return phrase("Protocols", "it requires the judgement %1").with(in_quotes("comparison"));
     }
     if (test == "conditions" && discriminations_.size() == 1 &&
         conditions_of(*discriminations_.front()) == 1) {
-      return "the thresholds of all trials are those of one condition, because no other factor "
-             "than the varied parameter has several levels";
+      return phrase("Protocols",
+                    "the thresholds of all trials are those of one condition, because no other "
+                    "factor than the varied parameter has several levels");
     }
     return {};
   }
@@ -145,14 +147,13 @@ class AnalysisWarnings final {
     const std::optional<double> target = procedure_of(first).target(first);
     const double chance = block.design()->guess_rate();
     if (!target || *target > chance + 0.01) return;
-    const auto percent = [](double share) {
-      return digits(std::round(1000.0 * share) / 10.0) + " %";
-    };
+    const auto percent = [](double share) { return digits(std::round(1000.0 * share) / 10.0); };
     warn(pointer_to("/blocks", block.name) + "/procedure/method",
-         "the levels converge on " + percent(*target) +
-             " correct responses, but guesses are correct in " + percent(chance) +
-             ", so that no level is reached; require more correct responses for a lower level "
-             "(\"down\": 2 or 3), or state a higher \"target\"");
+         phrase("Protocols",
+                "the levels converge on %1 % correct responses, but guesses are correct in %2 %, "
+                "so that no level is reached; require more correct responses for a lower level "
+                "(%3: 2 or 3), or state a higher %4")
+             .with(percent(*target), percent(chance), key_name("down"), key_name("target")));
   }
 
   /// A scale after a choice is usually meant to rate the confidence in it.
@@ -170,10 +171,11 @@ class AnalysisWarnings final {
       const auto* const scale = std::get_if<ScaleForm>(&questions[i].form);
       if (scale == nullptr || scale->points == 0) continue;
       warn(place_of_question(block, i),
-           "this scale does not state whether it rates the confidence in a response: there is no "
-           "ROC, and virtual participants rate the first surface. If it does, add "
-           "\"confidence_of\": " +
-               in_quotes(judged->name));
+           phrase("Protocols",
+                  "this scale does not state whether it rates the confidence in a response: there "
+                  "is no ROC, and virtual participants rate the first surface. If it does, add "
+                  "%1: %2")
+               .with(key_name("confidence_of"), in_quotes(judged->name)));
     }
   }
 
@@ -186,8 +188,10 @@ class AnalysisWarnings final {
     }
     const auto index = static_cast<std::size_t>(judged - block.questions.data());
     warn(place_of_question(block, index) + "/allow_cannot_tell",
-         "virtual participants never give the response \"cannot tell\"; state \"unsure_within\" "
-         "under \"observer\", the relative difference below which they do");
+         phrase("Protocols",
+                "virtual participants never give the response \"cannot tell\"; state %1 under %2, "
+                "the relative difference below which they do")
+             .with(key_name("unsure_within"), key_name("observer")));
   }
 
   /// The catch trials of a session, at most, and the probability that a guess is correct in them.
@@ -235,18 +239,23 @@ class AnalysisWarnings final {
     if (guesser_stays <= kSmall && attentive_leaves <= kSmall) return;
     const auto percent = [](double probability) {
       const double in_percent = 100.0 * probability;
-      return (in_percent < 0.1 ? std::string("less than 0.1") : fixed(in_percent, 1)) + " %";
+      return in_percent < 0.1 ? phrase("Protocols", "less than %1 %").with(digits(0.1))
+                              : phrase("Protocols", "%1 %").with(fixed(in_percent, 1));
     };
     warn("/analysis/exclude",
-         "a session has at most " + counted(caught.trials, "catch trial", "catch trials") +
-             ": a participant who guesses in all of them stays in the analysis with a probability "
-             "of " +
-             percent(guesser_stays) +
-             ", and an attentive participant with errors in 5 % of them is excluded with a "
-             "probability of " +
-             percent(attentive_leaves) +
-             "; state another limit, or more catch trials (a smaller "
-             "\"every\")");
+         (caught.trials == 1
+              ? phrase("Protocols",
+                       "a session has at most %1 catch trial: a participant who guesses in all of "
+                       "them stays in the analysis with a probability of %2, and an attentive "
+                       "participant with errors in 5 % of them is excluded with a probability of "
+                       "%3; state another limit, or more catch trials (a smaller %4)")
+              : phrase("Protocols",
+                       "a session has at most %1 catch trials: a participant who guesses in all of "
+                       "them stays in the analysis with a probability of %2, and an attentive "
+                       "participant with errors in 5 % of them is excluded with a probability of "
+                       "%3; state another limit, or more catch trials (a smaller %4)"))
+             .with(std::to_string(caught.trials), percent(guesser_stays), percent(attentive_leaves),
+                   key_name("every")));
   }
 
   void warn_of_items() {
@@ -263,10 +272,12 @@ class AnalysisWarnings final {
     const auto least = static_cast<std::size_t>(items_for(kDimensionsOfMap));
     if (items.empty() || items.size() >= least) return;
     warn(pointer_to("/blocks", block),
-         "a configuration in " + std::to_string(kDimensionsOfMap) +
-             " dimensions requires at least " + std::to_string(least) +
-             " surfaces, and this protocol compares " + std::to_string(items.size()) +
-             "; add surfaces, or interpret only the dissimilarities and the dendrogram");
+         phrase("Protocols",
+                "a configuration in %1 dimensions requires at least %2 surfaces, and this protocol "
+                "compares %3; add surfaces, or interpret only the dissimilarities and the "
+                "dendrogram")
+             .with(std::to_string(kDimensionsOfMap), std::to_string(least),
+                   std::to_string(items.size())));
   }
 
   void warn_of_one_rated_surface() {
@@ -280,17 +291,19 @@ class AnalysisWarnings final {
     }
     if (surfaces.size() != 1) return;
     warn(pointer_to("/blocks", block),
-         "every trial presents the same surface, so that no ratings can be compared; cross or list "
-         "a factor with the textures, models or parameters to be rated");
+         phrase("Protocols",
+                "every trial presents the same surface, so that no ratings can be compared; cross "
+                "or list a factor with the textures, models or parameters to be rated"));
   }
 
   void warn_of_predictor_without_recordings() {
     const auto& estimation = protocol_.estimation;
     if (!estimation || !is_of_recordings(estimation->predictor) || protocol_.record) return;
     warn("/recording/every_tick",
-         "the predictor " + in_quotes(estimation->predictor) +
-             " is computed from the recordings, so that there would be no exponent; set this to "
-             "true");
+         phrase("Protocols",
+                "the predictor %1 is computed from the recordings, so that there would be no "
+                "exponent; set this to true")
+             .with(in_quotes(estimation->predictor)));
   }
 
   const Protocol& protocol_;

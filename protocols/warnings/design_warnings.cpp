@@ -94,7 +94,7 @@ class DesignWarnings final {
   }
 
  private:
-  void warn(const std::string& pointer, std::string message) {
+  void warn(const std::string& pointer, Phrase message) {
     found_.push_back(document_.at(pointer, std::move(message)));
   }
 
@@ -108,9 +108,10 @@ class DesignWarnings final {
         continue;
       }
       warn(pointer_to(pointer + "/crossed", i),
-           "no stimulus, exploration or question uses the factor " + in_quotes(factor) +
-               ", so that its levels repeat the same trials; use it, or remove it and state "
-               "repetitions");
+           phrase("Protocols",
+                  "no stimulus, exploration or question uses the factor %1, so that its levels "
+                  "repeat the same trials; use it, or remove it and state repetitions")
+               .with(in_quotes(factor)));
     }
   }
 
@@ -129,10 +130,15 @@ class DesignWarnings final {
       const ValueRange& prior = track->prior.thresholds;
       if (prior.highest >= smallest && prior.lowest <= largest) continue;
       warn(pointer + "/procedure/prior/threshold",
-           std::string("all thresholds of the prior are ") +
-               (prior.highest < smallest ? "below the smallest" : "above the largest") +
-               " difference of the levels from the standard, so that the procedure cannot find a "
-               "threshold within the levels; state a range that contains the expected threshold");
+           prior.highest < smallest
+               ? phrase("Protocols",
+                        "all thresholds of the prior are below the smallest difference of the "
+                        "levels from the standard, so that the procedure cannot find a threshold "
+                        "within the levels; state a range that contains the expected threshold")
+               : phrase("Protocols",
+                        "all thresholds of the prior are above the largest difference of the "
+                        "levels from the standard, so that the procedure cannot find a threshold "
+                        "within the levels; state a range that contains the expected threshold"));
       return;
     }
   }
@@ -146,12 +152,11 @@ class DesignWarnings final {
     const auto parts = static_cast<std::size_t>(block.all_pairs->parts);
     if (2 * parts < levels) return;
     warn(pointer + "/all_pairs/parts",
-         "with " + std::to_string(parts) +
-             " parts, the pairs of a participant need not connect "
-             "all " +
-             std::to_string(levels) + " levels of " + in_quotes(factor->first) +
-             "; state fewer than half as many parts as levels, at most " +
-             std::to_string((levels - 1) / 2));
+         phrase("Protocols",
+                "with %1 parts, the pairs of a participant need not connect all %2 levels of %3; "
+                "state fewer than half as many parts as levels, at most %4")
+             .with(std::to_string(parts), std::to_string(levels), in_quotes(factor->first),
+                   std::to_string((levels - 1) / 2)));
   }
 
   void warn_of_positions(const Block& block, const std::string& pointer) {
@@ -163,30 +168,34 @@ class DesignWarnings final {
     const std::vector<BlockRow> rows = rows_of(protocol_, block);
     const std::vector<BlockTrial> trials = trials_of(block, rows);
     if (balances_every_row(block, rows, trials)) return;
-    const std::string surfaces = std::to_string(surfaces_in_trial(block));
-    std::vector<std::string> changes{};
+    Phrase changes{};
+    const auto propose = [&changes](const Phrase& change) {
+      changes = changes.empty() ? change : phrase("Protocols", "%1; %2").with(changes, change);
+    };
     if (block.positions != Block::Positions::balanced) {
-      changes.emplace_back(
-          "set \"positions\" to \"balanced\", since they are drawn for each trial");
+      propose(phrase("Protocols", "set %1 to %2, since they are drawn for each trial")
+                  .with(key_name("positions"), in_quotes("balanced")));
     }
     if (block.until) {
-      changes.emplace_back("remove \"until\", which can end the block after any trial");
+      propose(phrase("Protocols", "remove %1, which can end the block after any trial")
+                  .with(key_name("until")));
     }
     if (block.procedure) {
-      changes.emplace_back(
-          "state \"repetitions\" in place of \"procedure\", whose trials are dealt positions over "
-          "all levels together");
+      propose(phrase("Protocols",
+                     "state %1 in place of %2, whose trials are dealt positions over all levels "
+                     "together")
+                  .with(key_name("repetitions"), key_name("procedure")));
     } else if (!has_multiples_of_surfaces(block, rows, trials)) {
-      changes.push_back(
-          "set the repetitions so that each combination of levels has a multiple of " + surfaces +
-          " trials, the number of surfaces");
+      propose(phrase("Protocols",
+                     "set the repetitions so that each combination of levels has a multiple of %1 "
+                     "trials, the number of surfaces")
+                  .with(std::to_string(surfaces_in_trial(block))));
     }
-    std::string remedy{};
-    for (const std::string& change : changes) remedy += (remedy.empty() ? "" : "; ") + change;
     warn(pointer + "/positions",
-         "positions need not be balanced within each level, so that a level can have the "
-         "comparison more often in one position: " +
-             remedy);
+         phrase("Protocols",
+                "positions need not be balanced within each level, so that a level can have the "
+                "comparison more often in one position: %1")
+             .with(changes));
   }
 
   /// Responses to a scale are stored under its name, and analyses pool those of all blocks.
@@ -207,14 +216,15 @@ class DesignWarnings final {
         const bool is_labels =
             std::get<ScaleForm>(scale.form).labels != std::get<ScaleForm>(other.form).labels;
         warn(place_of_question(block, i) + (is_prompt ? "/prompt" : "/scale"),
-             "the scale " + in_quotes(scale.name) + " has " +
-                 (is_prompt   ? "another question"
-                  : is_labels ? "other labels"
-                              : "other points") +
-                 " in block " + in_quotes(name) + " than in block " +
-                 in_quotes(known->second.block) +
-                 ", and the responses are stored under one name; state the same wording and scale "
-                 "in both, or another name");
+             phrase("Protocols",
+                    "the scale %1 has %2 in block %3 than in block %4, and the responses are "
+                    "stored under one name; state the same wording and scale in both, or another "
+                    "name")
+                 .with(in_quotes(scale.name),
+                       is_prompt   ? phrase("Protocols", "another question")
+                       : is_labels ? phrase("Protocols", "other labels")
+                                   : phrase("Protocols", "other points"),
+                       in_quotes(name), in_quotes(known->second.block)));
       }
     }
   }

@@ -73,21 +73,27 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
     if (!has_tracks_of_fixed_length(protocol.blocks.at(run->block))) continue;
     const RunSize& size = largest.at(run->block);
     const std::string place = pointer_to("/flow", i);
-    const std::string of_block = "a run of the block " + in_quotes(run->block);
     if (run->break_every_trials >= size.trials) {
-      warnings.push_back(document.at(place + "/break_every_trials",
-                                     of_block + " has " + std::to_string(size.trials) +
-                                         (size.trials == 1 ? " trial" : " trials") +
-                                         ", so that there is no break after " +
-                                         std::to_string(run->break_every_trials) +
-                                         "; state a smaller number, or remove the key"));
+      warnings.push_back(document.at(
+          place + "/break_every_trials",
+          (size.trials == 1
+               ? phrase("Protocols",
+                        "a run of the block %1 has %2 trial, so that there is no break after %3; "
+                        "state a smaller number, or remove the key")
+               : phrase("Protocols",
+                        "a run of the block %1 has %2 trials, so that there is no break after %3; "
+                        "state a smaller number, or remove the key"))
+              .with(in_quotes(run->block), std::to_string(size.trials),
+                    std::to_string(run->break_every_trials))));
     }
     if (run->break_every_contact_s >= size.contact_s && run->break_every_contact_s > 0.0) {
-      warnings.push_back(document.at(place + "/break_every_contact_minutes",
-                                     of_block + " takes about " + fixed(size.contact_s / 60.0, 1) +
-                                         " min of contact, so that there is no break after " +
-                                         number_text(run->break_every_contact_s / 60.0) +
-                                         " min; state a smaller number, or remove the key"));
+      warnings.push_back(
+          document.at(place + "/break_every_contact_minutes",
+                      phrase("Protocols",
+                             "a run of the block %1 takes about %2 min of contact, so that there "
+                             "is no break after %3 min; state a smaller number, or remove the key")
+                          .with(in_quotes(run->block), fixed(size.contact_s / 60.0, 1),
+                                number_text(run->break_every_contact_s / 60.0))));
     }
   }
   for (const auto& [name, size] : largest) {
@@ -96,10 +102,11 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
     if (size.total_s <= kLongestMatching_s) continue;
     warnings.push_back(document.at(
         pointer_to("/blocks", name) + (block.procedure ? "/procedure" : ""),
-        "matching roughness takes about " + fixed(size.total_s / 60.0, 0) +
-            " min of each participant, more than " + fixed(kLongestMatching_s / 60.0, 0) +
-            " min, after which the comparison itself has still to be made; reduce the trials of a "
-            "track, the stimuli or the exploration"));
+        phrase("Protocols",
+               "matching roughness takes about %1 min of each participant, more than %2 min, after "
+               "which the comparison itself has still to be made; reduce the trials of a track, "
+               "the stimuli or the exploration")
+            .with(fixed(size.total_s / 60.0, 0), fixed(kLongestMatching_s / 60.0, 0))));
   }
   int practised = 0;
   for (const auto& [name, size] : largest) {
@@ -108,12 +115,15 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
     }
   }
   if (practised > 0 && protocol.resume.practice_trials > practised) {
-    warnings.push_back(
-        document.at("/resume/practice_trials",
-                    "a practice block has at most " + std::to_string(practised) +
-                        (practised == 1 ? " trial" : " trials") +
-                        ", so that no more can be repeated when a session is resumed; state " +
-                        std::to_string(practised) + " or fewer"));
+    warnings.push_back(document.at(
+        "/resume/practice_trials",
+        (practised == 1 ? phrase("Protocols",
+                                 "a practice block has at most %1 trial, so that no more can be "
+                                 "repeated when a session is resumed; state %1 or fewer")
+                        : phrase("Protocols",
+                                 "a practice block has at most %1 trials, so that no more can be "
+                                 "repeated when a session is resumed; state %1 or fewer"))
+            .with(std::to_string(practised))));
   }
   return warnings;
 }

@@ -92,7 +92,7 @@ struct Part {
   Phrases english{};
   Phrases german{};
   bool (*is_there)(const Protocol& protocol) = nullptr;
-  std::string_view otherwise{};  ///< what the protocol lacks
+  Phrase otherwise{};  ///< what the protocol lacks
 };
 
 // Phrases with which instructions mention a part; a word alone occurs in other senses ("in practice", "photosensitive").
@@ -120,30 +120,36 @@ constexpr std::array<std::string_view, 3> kMaskDe{"augenbinde", "augenmaske", "s
 constexpr std::array<std::string_view, 1> kCannotTellEn{"i cannot tell"};
 constexpr std::array<std::string_view, 1> kCannotTellDe{"ich kann es nicht sagen"};
 
-constexpr std::array kParts{
-    Part{kScaleEn, kScaleDe, [](const Protocol& each) { return has_scale(each, false); },
-         "no question has a scale"},
-    Part{kLineEn, kLineDe, [](const Protocol& each) { return has_scale(each, true); },
-         "no question is answered on a line"},
-    Part{kFamiliarEn, kFamiliarDe, is_prepared, "there is no block of familiarisation or practice"},
-    Part{kPractiseEn, kPractiseDe, is_prepared, "there is no block of familiarisation or practice"},
-    Part{kPictureEn, kPictureDe, has_pictures, "no picture is shown"},
-    Part{kBreakEn, kBreakDe, has_breaks, "the flow has no break"},
-    Part{kMaskEn, kMaskDe,
-         [](const Protocol& each) {
-           return each.vision == Vision::blindfold ||
-                  any_block(each, [](const auto& block) { return block.pictures_after_feeling; });
-         },
-         "no eye mask is worn (/environment/vision)"},
-    Part{kCannotTellEn, kCannotTellDe, permits_cannot_tell,
-         "no question has this option (\"allow_cannot_tell\")"}};
+const std::vector<Part>& parts() {
+  static const Phrase kUnprepared =
+      phrase("Protocols", "there is no block of familiarisation or practice");
+  static const std::vector<Part> kParts{
+      {kScaleEn, kScaleDe, [](const Protocol& each) { return has_scale(each, false); },
+       phrase("Protocols", "no question has a scale")},
+      {kLineEn, kLineDe, [](const Protocol& each) { return has_scale(each, true); },
+       phrase("Protocols", "no question is answered on a line")},
+      {kFamiliarEn, kFamiliarDe, is_prepared, kUnprepared},
+      {kPractiseEn, kPractiseDe, is_prepared, kUnprepared},
+      {kPictureEn, kPictureDe, has_pictures, phrase("Protocols", "no picture is shown")},
+      {kBreakEn, kBreakDe, has_breaks, phrase("Protocols", "the flow has no break")},
+      {kMaskEn, kMaskDe,
+       [](const Protocol& each) {
+         return each.vision == Vision::blindfold ||
+                any_block(each, [](const auto& block) { return block.pictures_after_feeling; });
+       },
+       phrase("Protocols", "no eye mask is worn (%1)").with(place_name("/environment/vision"))},
+      {kCannotTellEn, kCannotTellDe, permits_cannot_tell,
+       phrase("Protocols", "no question has this option (%1)")
+           .with(key_name("allow_cannot_tell"))}};
+  return kParts;
+}
 
 // Of a sentence whose minutes are those of the session, and of one whose minutes may be those of a break.
 constexpr std::array<std::string_view, 8> kSessions{
     "session*", "experiment*", "study", "sitzung*", "studie", "versuch", "insgesamt", "in all"};
 constexpr std::array<std::string_view, 4> kRests{"break*", "rest", "pause*", "ruhen"};
 
-/// Whether what a text calls so is one of `kParts`, or its number is not known (breaks).
+/// Whether what a text calls so is one of `parts()`, or its number is not known (breaks).
 bool is_named_as_part(std::string_view name) {
   return name == "scales" || name == "pictures" || name == "breaks";
 }
@@ -273,48 +279,50 @@ class TextWarnings final {
     }
     for (const StatedNumber& stated : numbers_stated_in(place.text, protocol_.language)) {
       if (is_of_design(numbers, stated, place)) continue;
-      warn(place, "the text states " + in_quotes(stated.words) + ", but " +
-                      design_states(numbers, stated, place));
+      warn(place, phrase("Protocols", "the text states %1, but %2")
+                      .with(in_quotes(stated.words), design_states(numbers, stated, place)));
     }
   }
 
   /// "the number of scales is 4; correct the text, or write {scales}"
-  std::string design_states(const Numbers& numbers, const StatedNumber& stated,
-                            const TextPlace& place) const {
-    const std::string name(stated.name);
-    const std::string noun = name == "practice_trials" ? "trials of practice" : name;
-    if (name == "minutes") {
-      return "a session takes about " + std::to_string(minutes_at(place).estimate) +
-             " minutes by estimate; correct the text" +
-             (place.is_of_session ? ", or write {minutes}" : "");
+  Phrase design_states(const Numbers& numbers, const StatedNumber& stated,
+                       const TextPlace& place) const {
+    const Phrase or_placeholder =
+        phrase("Protocols", ", or write %1").with('{' + std::string(stated.name) + '}');
+    if (stated.name == "minutes") {
+      return phrase("Protocols", "a session takes about %1 minutes by estimate; correct the text%2")
+          .with(std::to_string(minutes_at(place).estimate),
+                place.is_of_session ? or_placeholder : Phrase());
     }
+    const DesignNumber& design = *find_design_number(stated.name);
     const auto known = numbers.find(stated.name);
-    std::vector<std::string> all{};
+    std::vector<Phrase> all{};
     if (known != numbers.end()) {
-      for (const int number : known->second) all.push_back(std::to_string(number));
+      for (const int number : known->second) all.emplace_back(std::to_string(number));
     }
-    if (all.empty()) return "the design has no " + noun + "; correct the text";
+    if (all.empty()) {
+      return phrase("Protocols", "the design has no %1; correct the text").with(noun_of(design));
+    }
     const bool can_be_replaced =
-        all.size() == 1 &&
-        (place.is_of_session || find_design_number(name)->scope == NumberScope::block);
-    return "the number of " + noun + " is " + listed_words(all, " or ") + "; correct the text" +
-           (can_be_replaced ? ", or write {" + name + "}" : "");
+        all.size() == 1 && (place.is_of_session || design.scope == NumberScope::block);
+    return phrase("Protocols", "the number of %1 is %2; correct the text%3")
+        .with(noun_of(design), joined_by_or(all), can_be_replaced ? or_placeholder : Phrase());
   }
 
   void compare_parts(const TextPlace& place) {
     const bool is_german = is_language(protocol_.language, "de");
     if (!is_german && !is_language(protocol_.language, "en")) return;
-    std::set<std::string_view> said{};
-    for (const Part& part : kParts) {
+    std::set<std::string> said{};
+    for (const Part& part : parts()) {
       if (part.is_there(protocol_)) continue;
       const std::string words = phrase_in(place.text, is_german ? part.german : part.english);
-      if (words.empty() || !said.insert(part.otherwise).second) continue;
-      warn(place, "the text mentions " + in_quotes(words) + ", but " + std::string(part.otherwise) +
-                      "; change the text or the design");
+      if (words.empty() || !said.insert(part.otherwise.english()).second) continue;
+      warn(place, phrase("Protocols", "the text mentions %1, but %2; change the text or the design")
+                      .with(in_quotes(words), part.otherwise));
     }
   }
 
-  void warn(const TextPlace& place, std::string message) {
+  void warn(const TextPlace& place, Phrase message) {
     found_.push_back(document_.at(place.pointer, std::move(message)));
   }
 

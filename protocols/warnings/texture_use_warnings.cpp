@@ -47,8 +47,10 @@ class TextureUseWarnings final {
       const NameUse* const declared = declaration_at(names, pointer, true);
       if (declared == nullptr || uses_of(names, declared->registry, name).size() > 1) continue;
       found_.push_back(
-          document_.at(pointer, "no stimulus, level, question or body uses the texture " +
-                                    in_quotes(name) + "; use it, or remove it"));
+          document_.at(pointer, phrase("Protocols",
+                                       "no stimulus, level, question or body uses the texture %1; "
+                                       "use it, or remove it")
+                                    .with(in_quotes(name))));
     }
   }
 
@@ -62,9 +64,11 @@ class TextureUseWarnings final {
       };
       found_.push_back(document_.at(
           pointer_to(pointer, static_cast<std::size_t>(row - block.listed.begin())),
-          "the listed trials " + number_of(first) + " and " + number_of(row) +
-              " have the same levels, so that this trial is presented twice; change a level, or "
-              "remove one of them and state the number of its repetitions"));
+          phrase("Protocols",
+                 "the listed trials %1 and %2 have the same levels, so that this trial is presented "
+                 "twice; change a level, or remove one of them and state the number of its "
+                 "repetitions")
+              .with(number_of(first), number_of(row))));
     }
   }
 

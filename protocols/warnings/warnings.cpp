@@ -56,7 +56,7 @@ class Warnings final {
   }
 
  private:
-  void warn(const std::string& pointer, std::string message) {
+  void warn(const std::string& pointer, Phrase message) {
     found_.push_back(document_.at(pointer, std::move(message)));
   }
 
@@ -71,8 +71,9 @@ class Warnings final {
                              [&](const Level& level) { return text_of(level) == name; });
         });
     if (!is_used)
-      warn(pointer, "no block uses the exploration " + in_quotes(name) +
-                        "; name it in a block, or remove it");
+      warn(pointer,
+           phrase("Protocols", "no block uses the exploration %1; name it in a block, or remove it")
+               .with(in_quotes(name)));
   }
 
   void warn_of_rule(const Exploration& asked, const std::string& pointer) {
@@ -81,28 +82,36 @@ class Warnings final {
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (!bounded(asked.normal_force_N) && !bounded(asked.speed_m_per_s)) return;
     warn(pointer + "/on_failure",
-         "no trial is repeated because of its force or speed while required_fraction_in_band is "
-         "0: state the fraction that has to lie in the bands, such as 0.6");
+         phrase("Protocols",
+                "no trial is repeated because of its force or speed while %1 is 0: state the "
+                "fraction that has to lie in the bands, such as %2")
+             .with(key_name("required_fraction_in_band"), digits(0.6)));
   }
 
   void warn_of_bands(const Exploration& asked, const std::string& pointer) {
     const auto look = [&](const std::optional<double>& value, double most, const char* place,
-                          const std::string& why, std::string_view unit = "") {
+                          const auto& sentence_about) {
       if (!value || *value <= most) return false;
-      const auto is_permitted = [most](double other) { return other <= most; };
-      warn(pointer + place, digits(*value) + why + meant_in_other_unit(*value, unit, is_permitted));
+      warn(pointer + place, sentence_about(*value));
       return true;
     };
-    const std::string no_hand = " m/s is faster than a hand strokes; request a slower stroke";
+    const auto no_hand = [](double value) {
+      const auto is_permitted = [](double other) { return other <= kFastestHand_m_per_s; };
+      return phrase("Protocols", "%1 m/s is faster than a hand strokes; request a slower stroke%2")
+          .with(digits(value), meant_in_other_unit(value, "m/s", is_permitted));
+    };
     const Band& speed = asked.speed_m_per_s;
-    if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand, "m/s")) {
-      look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand, "m/s");
+    if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand)) {
+      look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand);
     }
     const double most_N = kRoomForTexture * protocol_.force_limit_N;
-    const std::string no_room = " N leaves little room below the device's limit of " +
-                                digits(protocol_.force_limit_N) +
-                                " N: a texture's crests exceed it and are clipped; set " +
-                                digits(most_N) + " N or less, or raise /device/force_limit_N";
+    const auto no_room = [&](double value) {
+      return phrase("Protocols",
+                    "%1 N leaves little room below the device's limit of %2 N: a texture's crests "
+                    "exceed it and are clipped; set %3 N or less, or raise %4")
+          .with(digits(value), digits(protocol_.force_limit_N), digits(most_N),
+                place_name("/device/force_limit_N"));
+    };
     const Band& force = asked.normal_force_N;
     if (!look(force.minimum, most_N, "/normal_force_N/minimum", no_room)) {
       look(force.target, most_N, "/normal_force_N/target", no_room);
@@ -126,12 +135,15 @@ class Warnings final {
       const double takes_s = *strokes * *length_m / *speed_m_per_s;
       if (takes_s <= asked.maximum_contact_s) return false;
       warn(pointer + place,
-           digits(*strokes) + (*strokes == 1.0 ? " stroke of " : " strokes of ") +
-               digits(*length_m) + " m at " + digits(*speed_m_per_s) +
-               (*strokes == 1.0 ? " m/s does" : " m/s do") + " not fit into the " +
-               digits(asked.maximum_contact_s) +
-               " s after which the surface is removed; raise maximum_contact_s, or "
-               "request fewer strokes");
+           (*strokes == 1.0
+                ? phrase("Protocols",
+                         "%1 stroke of %2 m at %3 m/s does not fit into the %4 s after which the "
+                         "surface is removed; raise %5, or request fewer strokes")
+                : phrase("Protocols",
+                         "%1 strokes of %2 m at %3 m/s do not fit into the %4 s after which the "
+                         "surface is removed; raise %5, or request fewer strokes"))
+               .with(digits(*strokes), digits(*length_m), digits(*speed_m_per_s),
+                     digits(asked.maximum_contact_s), key_name("maximum_contact_s")));
       return true;
     };
     if (look(asked.strokes.minimum, first({length.minimum, length.target}),
@@ -156,10 +168,13 @@ class Warnings final {
     const std::set<std::string_view> absent =
         by_tones ? std::set<std::string_view>{"bar", "bars"}
                  : std::set<std::string_view>{"tone", "tones", "beep", "beeps"};
-    const std::string why = by_tones ? "\", but the hand is guided by tones, and no bar is shown; "
-                                       "change the text or the guidance"
-                                     : "\", but the hand is guided by sight, and no tone is "
-                                       "played; change the text or the guidance";
+    const Phrase mentioned =
+        by_tones ? phrase("Protocols",
+                          "the text mentions %1, but the hand is guided by tones, and no bar is "
+                          "shown; change the text or the guidance")
+                 : phrase("Protocols",
+                          "the text mentions %1, but the hand is guided by sight, and no tone is "
+                          "played; change the text or the guidance");
     const auto look = [&](const std::string& text, const std::string& pointer) {
       std::string word{};
       for (const char c : text + ' ') {
@@ -167,7 +182,7 @@ class Warnings final {
           word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
           continue;
         }
-        if (absent.contains(word)) return warn(pointer, "the text mentions \"" + word + why);
+        if (absent.contains(word)) return warn(pointer, mentioned.with(in_quotes(word)));
         word.clear();
       }
     };
@@ -199,8 +214,10 @@ class Warnings final {
                          [this](const std::string& group) { return !has_screen(group); });
     if (without.size() == groups.size()) return;
     for (const std::string& group : without) {
-      warn("/flow", "participants of the group " + in_quotes(group) +
-                        " read no screen, while those of another group do: add a screen for them");
+      warn("/flow", phrase("Protocols",
+                           "participants of the group %1 read no screen, while those of another "
+                           "group do: add a screen for them")
+                        .with(in_quotes(group)));
     }
   }
 
@@ -218,10 +235,11 @@ class Warnings final {
     if (!stated || std::abs(*stated - 0.5) < 0.01) return;
     const double target = *stated;
     warn(pointer_to("/blocks", block.name) + "/procedure/method",
-         "the levels converge on " + digits(std::round(1000.0 * target) / 10.0) +
-             " %, but the point of subjective equality lies at 50 %: state a rule with equal "
-             "numbers of responses and steps in both directions (\"down\": 1, \"up\": 1), or "
-             "constant stimuli");
+         phrase("Protocols",
+                "the levels converge on %1 %, but the point of subjective equality lies at 50 %: "
+                "state a rule with equal numbers of responses and steps in both directions (%2: 1, "
+                "%3: 1), or constant stimuli")
+             .with(digits(std::round(1000.0 * target) / 10.0), key_name("down"), key_name("up")));
   }
 
   /// Warns about feedback at levels at which thresholds are measured.
@@ -238,20 +256,25 @@ class Warnings final {
       }
       const std::vector<double> measured = block.vary->values();
       const std::vector<double> levels = practice.vary->levels();
-      std::vector<std::string> both{};
+      std::vector<Phrase> both{};
       for (std::size_t i = 0; i < trained.size(); ++i) {
         // Levels of a grid are sums of steps, and need not be equal to the digits in a file.
         const bool is_measured = std::any_of(measured.begin(), measured.end(), [&](double value) {
           return std::abs(value - trained[i]) <= 1e-9 * std::abs(trained[i]);
         });
-        if (is_measured) both.push_back(rounded_text(levels[i]));
+        if (is_measured) both.emplace_back(rounded_text(levels[i]));
       }
       if (both.empty()) continue;
-      const std::string at = both.size() == 1 ? "the level " + both.front() + ", which"
-                                              : "the levels " + listed_words(both) + ", which";
-      return warn(pointer_to("/blocks", practice.name) + "/vary",
-                  "participants practise with feedback at " + at + " the block " + in_quotes(name) +
-                      " measures; practise at levels between or beyond those that are measured");
+      return warn(
+          pointer_to("/blocks", practice.name) + "/vary",
+          (both.size() == 1
+               ? phrase("Protocols",
+                        "participants practise with feedback at the level %1, which the block %2 "
+                        "measures; practise at levels between or beyond those that are measured")
+               : phrase("Protocols",
+                        "participants practise with feedback at the levels %1, which the block %2 "
+                        "measures; practise at levels between or beyond those that are measured"))
+              .with(joined_by_and(both), in_quotes(name)));
     }
   }
 
@@ -265,10 +288,11 @@ class Warnings final {
                      [](const auto& named) { return named.second.phase == Phase::main; });
     if (block == protocol_.blocks.end()) return;
     warn(pointer_to("/blocks", block->first) + "/presented",
-         "the alternatives differ in " + in_quotes(*parameter) +
-             " alone: the analysis of a selection tests how often each level is chosen, not "
-             "whether levels can be discriminated; for a threshold, use a block of the kind "
-             "\"discrimination\"");
+         phrase("Protocols",
+                "the alternatives differ in %1 alone: the analysis of a selection tests how often "
+                "each level is chosen, not whether levels can be discriminated; for a threshold, "
+                "use a block of the kind %2")
+             .with(in_quotes(*parameter), in_quotes(discrimination_kind().id)));
   }
 
   const Protocol& protocol_;

@@ -82,7 +82,7 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
     const auto given = inputs.assets.find(asset.role);
     if (given != inputs.assets.end() && given->second) continue;
     throw std::invalid_argument("the force model " + model.declaration.id + " needs the asset \"" +
-                                asset.role + "\" (" + asset.meaning + "); give it one");
+                                asset.role + "\" (" + asset.meaning.english() + "); give it one");
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);

@@ -277,39 +277,68 @@ constexpr std::array<std::string_view, 5> kOfLugre{kStiffness, kSmoothing, kStat
 
 constexpr std::array<FrictionLaw, 6> kLaws{{
     {.name = "rounded",
-     .meaning = "mu N v / sqrt(v^2 + v0^2), with the velocity that the device reports",
+     .meaning =
+         [] {
+           return phrase("Models",
+                         "mu N v / sqrt(v^2 + v0^2), with the velocity that the device reports");
+         },
      .parameters = kOfRounded,
      .drag_N = rounded_drag_N,
      .near_rest = rounded_near_rest},
     {.name = "bounded",
-     .meaning = "the same with an implicit step, and with a slope that is limited so that the "
-                "servo loop remains stable",
+     .meaning =
+         [] {
+           return phrase(
+               "Models",
+               "the same with an implicit step, and with a slope that is limited so that the "
+               "servo loop remains stable");
+         },
      .parameters = kOfBounded,
      .drag_N = bounded_drag_N,
      .near_rest = bounded_near_rest},
     {.name = "proxy",
-     .meaning = "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
-                "above 1",
+     .meaning =
+         [] {
+           return phrase(
+               "Models",
+               "adhesion of a given stiffness that breaks, with stick-slip for a static ratio "
+               "above 1");
+         },
      .parameters = kOfProxy,
      .remembers = true,
      .drag_N = proxy_drag_N,
      .near_rest = proxy_near_rest},
     {.name = "elastoplastic",
-     .meaning = "adhesion of a given stiffness that yields smoothly, with a drag that follows the "
-                "normal force while sliding",
+     .meaning =
+         [] {
+           return phrase(
+               "Models",
+               "adhesion of a given stiffness that yields smoothly, with a drag that follows the "
+               "normal force while sliding");
+         },
      .parameters = kOfAdhesion,
      .remembers = true,
      .drag_N = elastoplastic_drag_N,
      .near_rest = dahl_near_rest},
     {.name = "dahl",
-     .meaning = "adhesion of a given stiffness that creeps, with a smooth transition to sliding",
+     .meaning =
+         [] {
+           return phrase(
+               "Models",
+               "adhesion of a given stiffness that creeps, with a smooth transition to sliding");
+         },
      .parameters = kOfAdhesion,
      .remembers = true,
      .drag_N = dahl_drag_N,
      .near_rest = dahl_near_rest},
     {.name = "lugre",
-     .meaning = "the same with a static friction that decreases with speed (Stribeck) and with "
-                "damping of the adhesion",
+     .meaning =
+         [] {
+           return phrase(
+               "Models",
+               "the same with a static friction that decreases with speed (Stribeck) and with "
+               "damping of the adhesion");
+         },
      .parameters = kOfLugre,
      .remembers = true,
      .drag_N = lugre_drag_N,
@@ -330,10 +359,11 @@ Parameter law_parameter() {
                       .unit = "1",
                       .choices = {},
                       .default_value = std::string("elastoplastic"),
-                      .meaning = "Friction law"};
+                      .meaning = phrase("Models", "Friction law")};
   for (const FrictionLaw& law : kLaws) {
     parameter.choices.emplace_back(law.name);
-    parameter.meaning += "; " + std::string(law.name) + ": " + std::string(law.meaning);
+    parameter.meaning =
+        Phrase("%1; %2: %3").with(parameter.meaning, std::string(law.name), law.meaning());
   }
   return parameter;
 }
@@ -380,9 +410,10 @@ double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
 Parameter friction_speed_parameter() {
   return number_parameter(
       kSpeed, "m/s", 1e-4, 0.1, 0.010,
-      "Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / "
-      "sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static "
-      "and kinetic friction remains");
+      phrase("Models",
+             "Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / "
+             "sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static "
+             "and kinetic friction remains"));
 }
 
 void add_friction_parameters(std::vector<Parameter>& parameters) {
@@ -391,27 +422,33 @@ void add_friction_parameters(std::vector<Parameter>& parameters) {
   parameters.push_back(law_parameter());
   parameters.push_back(
       number_parameter(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
-                       "Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact "
-                       "along the surface before it slides"));
+                       phrase("Models",
+                              "Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact "
+                              "along the surface before it slides")));
   parameters.push_back(
       number_parameter(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
-                       "Laws proxy, elastoplastic, dahl and lugre: time constant of each of "
-                       "the two low-pass filters that smooth the position steps of the "
-                       "device; law elastoplastic: the normal force is smoothed by a fifth "
-                       "of it; 0: no filter"));
+                       phrase("Models",
+                              "Laws proxy, elastoplastic, dahl and lugre: time constant of each of "
+                              "the two low-pass filters that smooth the position steps of the "
+                              "device; law elastoplastic: the normal force is smoothed by a fifth "
+                              "of it; 0: no filter")));
   parameters.push_back(
       number_parameter(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
-                       "Laws proxy and lugre: ratio of static to kinetic friction; the "
-                       "friction of the material is the kinetic friction"));
-  parameters.push_back(
-      number_parameter(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
-                       "Law proxy: damping along the surface while the contact sticks; law lugre: "
-                       "damping of the adhesion"));
-  parameters.push_back(number_parameter(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
-                                        "Law bounded: moving mass of device and hand"));
+                       phrase("Models",
+                              "Laws proxy and lugre: ratio of static to kinetic friction; the "
+                              "friction of the material is the kinetic friction")));
   parameters.push_back(number_parameter(
-      kDelay, "s", 0.0, 0.05, defaults.delay_s,
-      "Law bounded: delay of the velocity, the sum of the latency and the lag of the estimate"));
+      kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
+      phrase("Models",
+             "Law proxy: damping along the surface while the contact sticks; law lugre: "
+             "damping of the adhesion")));
+  parameters.push_back(
+      number_parameter(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
+                       phrase("Models", "Law bounded: moving mass of device and hand")));
+  parameters.push_back(number_parameter(kDelay, "s", 0.0, 0.05, defaults.delay_s,
+                                        phrase("Models",
+                                               "Law bounded: delay of the velocity, the sum of the "
+                                               "latency and the lag of the estimate")));
 }
 
 ParameterValues friction_values_of(const ParameterValues& parameters) {

@@ -66,7 +66,7 @@ struct FrictionTurn {
 /// One law of friction by name.
 struct FrictionLaw {
   std::string_view name{};
-  std::string_view meaning{};
+  Phrase (*meaning)() = nullptr;
   std::span<const std::string_view> parameters{};  ///< those that the law uses
   bool remembers = false;                          ///< whether the drag depends on earlier samples
   /// The drag [N]: the force on the hand is −drag. Real-time: no allocation, no exceptions.

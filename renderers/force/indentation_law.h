@@ -3,7 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
+
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 
@@ -20,7 +21,7 @@ class IndentationLaw {
   /// The greatest dF/dδ of the surface without texture under a normal force.
   virtual double indentation_stiffness_N_per_m(double force_N) const = 0;
   /// The assumption of the law that a normal force violates, with a correction; nullopt if there is none.
-  virtual std::optional<std::string> indentation_problem(double force_N) const = 0;
+  virtual std::optional<Phrase> indentation_problem(double force_N) const = 0;
 
  protected:
   IndentationLaw() = default;

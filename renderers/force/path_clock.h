@@ -73,12 +73,12 @@ inline bool measures_path(const ParameterValues& values) {
 
 /// Declares `device_step_m`, the position step of the device, which every model with a PathClock has. `condition`: where the
 /// parameter applies, such as "Index distance only"; empty: always.
-inline Parameter device_step_parameter(const std::string& condition = {}) {
-  return number_parameter(
-      kDeviceStep, "m", 0.0, 1e-3, 0.0,
-      (condition.empty() ? "Position" : condition + ": position") +
-          " step of the device; motion of up to two steps, and of up to 20 µm, does "
-          "not lengthen the path. A session takes a missing value from its device");
+inline Parameter device_step_parameter(
+    const Phrase& meaning = phrase(
+        "Models",
+        "Position step of the device; motion of up to two steps, and of up to 20 µm, does not "
+        "lengthen the path. A session takes a missing value from its device")) {
+  return number_parameter(kDeviceStep, "m", 0.0, 1e-3, 0.0, meaning);
 }
 
 }  // namespace asperity

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/force/smoothstep.h"
 #include "renderers/force/tip_on_charts.h"
@@ -71,14 +71,18 @@ void require_low_texture(ForceRenderer& renderer, const RendererInputs& inputs) 
     renderer.reset(probe);
     const RenderedTick tick = renderer.tick(probe, 1e-3);
     if (!is_finite_as_stored(tick)) {
-      std::string problem = "the model computes no finite force above the body";
-      if (!renderer.error().empty()) problem += " (" + std::string(renderer.error()) + ')';
-      throw std::invalid_argument(problem + "; correct the model or its parameters");
+      const std::string error(renderer.error());
+      throw PhrasedRefusal(
+          phrase("Models",
+                 "the model computes no finite force above the body%1; correct the "
+                 "model or its parameters")
+              .with(error.empty() ? "" : " (" + error + ')'));
     }
     if (tick.penetration_m > 0.0) {
-      throw std::invalid_argument("the texture rises more than " +
-                                  number_text(SurfaceProxy::kReach_m) +
-                                  " m above the body; reduce its amplitude");
+      throw PhrasedRefusal(phrase("Models",
+                                  "the texture rises more than %1 m above the body; reduce its "
+                                  "amplitude")
+                               .with(number_text(SurfaceProxy::kReach_m)));
     }
   };
   double side_m = kExamined_m;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/numbers/random.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"
@@ -103,14 +103,16 @@ class ResonantSurface final : public ForceRenderer {
 }  // namespace
 
 void add_resonance_parameters(std::vector<Parameter>& parameters) {
-  parameters.push_back(
-      number_parameter(kRatio, "1", 0.0, 10.0, 0.0,
-                       "Stochastic resonance: standard deviation of the added noise relative to "
-                       "resonance_threshold_N; 0: no noise"));
+  parameters.push_back(number_parameter(
+      kRatio, "1", 0.0, 10.0, 0.0,
+      phrase("Models",
+             "Stochastic resonance: standard deviation of the added noise relative to "
+             "resonance_threshold_N; 0: no noise")));
   parameters.push_back(
       number_parameter(kThreshold, "N", 0.0, 1.0, 0.0,
-                       "Stochastic resonance: the participant's measured detection "
-                       "threshold as a force"));
+                       phrase("Models",
+                              "Stochastic resonance: the participant's measured detection "
+                              "threshold as a force")));
 }
 
 double resonance_sd_N(const ParameterValues& parameters) noexcept {
@@ -129,9 +131,10 @@ std::unique_ptr<ForceRenderer> with_resonance(std::unique_ptr<ForceRenderer> sur
                                               const RendererInputs& inputs) {
   if (!(given_number(inputs.parameters, kRatio) > 0.0)) return surface;
   if (!(given_number(inputs.parameters, kThreshold) > 0.0)) {
-    throw std::invalid_argument(
-        "resonance_threshold_N is 0, and resonance_ratio is relative to it; give it the "
-        "participant's detection threshold in newtons");
+    throw PhrasedRefusal(
+        phrase("Models",
+               "resonance_threshold_N is 0, and resonance_ratio is relative to it; give it the "
+               "participant's detection threshold in newtons"));
   }
   return std::make_unique<ResonantSurface>(std::move(surface), inputs);
 }

@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/random.h"
 #include "analysis/signals/autoregression.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"
@@ -46,10 +47,12 @@ std::optional<ParameterConflict> conflict_of_coefficients(const ParameterValues&
     conflict.parameters.push_back(name_of_coefficient(i));
     values += (i == 0 ? "" : ", ") + std::to_string(number_of(parameters, name_of_coefficient(i)));
   }
-  conflict.message = "with coefficient_1 to coefficient_4 = " + values +
-                     " the friction grows without limit along the path. Choose coefficients whose "
-                     "roots are inside the unit circle; of order 2: |coefficient_2| < 1 and "
-                     "|coefficient_1| < 1 - coefficient_2.";
+  conflict.message =
+      phrase("Protocols",
+             "with coefficient_1 to coefficient_4 = %1 the friction grows without limit along the "
+             "path. Choose coefficients whose roots are inside the unit circle; of order 2: "
+             "|coefficient_2| < 1 and |coefficient_1| < 1 - coefficient_2.")
+          .with(values);
   return conflict;
 }
 
@@ -109,21 +112,27 @@ class AutoRegressive final : public ForceRenderer {
 
 std::vector<Parameter> parameters_of_friction() {
   std::vector<Parameter> parameters{
-      number_parameter("friction_sd", "1", 0.0, kLargestSd, 0.06,
-                       "Standard deviation of the coefficient of friction along the path"),
+      number_parameter(
+          "friction_sd", "1", 0.0, kLargestSd, 0.06,
+          phrase("Models", "Standard deviation of the coefficient of friction along the path")),
       number_parameter("noise_length_m", "m", kShortestStep_m, kLongestStep_m, kStep_m,
-                       "Length of path between the values of the process")};
+                       phrase("Models", "Length of path between the values of the process"))};
   for (std::size_t i = 0; i < kCoefficients; ++i) {
-    parameters.push_back({.name = name_of_coefficient(i),
-                          .kind = ParameterKind::number,
-                          .unit = "1",
-                          .minimum = -6.0,  // of a stationary process of order 4
-                          .maximum = 6.0,
-                          .choices = {},
-                          .default_value = kDefaults[i],
-                          .meaning = "Coefficient a_" + std::to_string(i + 1) +
-                                     " of the process, for the value " + std::to_string(i + 1) +
-                                     (i == 0 ? " step back" : " steps back")});
+    parameters.push_back(
+        {.name = name_of_coefficient(i),
+         .kind = ParameterKind::number,
+         .unit = "1",
+         .minimum = -6.0,  // of a stationary process of order 4
+         .maximum = 6.0,
+         .choices = {},
+         .default_value = kDefaults[i],
+         .meaning = (i == 0 ? phrase("Models",
+                                     "Coefficient a_%1 of the process, for the value %1 "
+                                     "step back")
+                            : phrase("Models",
+                                     "Coefficient a_%1 of the process, for the value %1 "
+                                     "steps back"))
+                        .with(std::to_string(i + 1))});
   }
   parameters.push_back(device_step_parameter());
   add_layer_parameters(parameters);
@@ -257,7 +266,8 @@ ParameterValues autoregression_of_recording(const TextureRecording& recording) {
 ForceModel auto_regressive_model() {
   return {.declaration = {.id = "auto_regressive",
                           .version = "1",
-                          .summary = "A flat plate whose friction varies along the path",
+                          .summary =
+                              phrase("Models", "A flat plate whose friction varies along the path"),
                           .source = "Pai, van den Doel, James, Lang, Lloyd, Richmond, Yau (2001), "
                                     "Scanning physical interaction behavior of 3D objects",
                           .needs_height_field = false,
@@ -267,7 +277,7 @@ ForceModel auto_regressive_model() {
                           .conflict_among = conflict_of_coefficients},
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
             if (const auto conflict = conflict_of_coefficients(inputs.parameters)) {
-              throw std::invalid_argument("auto_regressive: " + conflict->message);
+              throw PhrasedRefusal(Phrase("auto_regressive: %1").with(conflict->message));
             }
             return std::make_unique<AutoRegressive>(inputs);
           },

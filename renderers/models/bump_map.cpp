@@ -61,7 +61,8 @@ ForceModel bump_map_model() {
   ModelDeclaration declaration{
       .id = "bump_map",
       .version = "1",
-      .summary = "A flat plate whose normal is perturbed by the slope of the texture",
+      .summary =
+          phrase("Models", "A flat plate whose normal is perturbed by the slope of the texture"),
       .source =
           "Ho, Basdogan, Srinivasan (1999), Efficient point-based rendering techniques for haptic "
           "display of virtual objects, Presence 8(5)",
@@ -71,15 +72,17 @@ ForceModel bump_map_model() {
       .parameters = {}};
   declaration.parameters = {
       number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
-                       "Factor applied to the heights of the field"),
+                       phrase("Models", "Factor applied to the heights of the field")),
       number_parameter(
           "depth_scale", "1", 0.0, 1.0, 1.0,
-          "Depth K down to which the force is along the perturbed normal, as a multiple of "
-          "the height of the texture above its lowest point"),
+          phrase("Models",
+                 "Depth K down to which the force is along the perturbed normal, as a multiple of "
+                 "the height of the texture above its lowest point")),
       choice_parameter(
           "face", {"mean", "crest"},
-          "mean: contact begins at the plane; crest: contact begins above the plane, by "
-          "the height of the texture from its lowest to its highest point")};
+          phrase("Models",
+                 "mean: contact begins at the plane; crest: contact begins above the plane, by "
+                 "the height of the texture from its lowest to its highest point"))};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

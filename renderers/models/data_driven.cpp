@@ -241,18 +241,23 @@ class DataDriven final : public ForceRenderer {
 
 std::vector<Parameter> parameters_of_vibration() {
   std::vector<Parameter> parameters{
-      number_parameter("gain", "1", 0.0, 1000.0, 1.0, "Factor on the force of the vibration"),
+      number_parameter("gain", "1", 0.0, 1000.0, 1.0,
+                       phrase("Models", "Factor on the force of the vibration")),
       number_parameter(
           "effective_mass_kg", "kg", 0.001, 10.0, kEffectiveMass_kg,
-          "Mass of handle and hand that the vibration accelerates; the force is this mass "
-          "times the acceleration of the models"),
-      choice_parameter("axis", {"motion", "binormal", "normal"},
-                       "Direction of the vibration: along the motion, along the surface across the "
-                       "motion (binormal, as in the source), or along the normal"),
+          phrase("Models",
+                 "Mass of handle and hand that the vibration accelerates; the force is this mass "
+                 "times the acceleration of the models")),
+      choice_parameter(
+          "axis", {"motion", "binormal", "normal"},
+          phrase("Models",
+                 "Direction of the vibration: along the motion, along the surface across the "
+                 "motion (binormal, as in the source), or along the normal")),
       choice_parameter(
           "variance", {"logarithmic", "linear"},
-          "Whether the logarithm of the variance is interpolated between models, or the "
-          "variance, as in the toolkit, whose sets have silent models"),
+          phrase("Models",
+                 "Whether the logarithm of the variance is interpolated between models, or the "
+                 "variance, as in the toolkit, whose sets have silent models")),
       device_step_parameter()};
   add_layer_parameters(parameters);
   return parameters;
@@ -262,19 +267,22 @@ std::vector<Parameter> parameters_of_vibration() {
 
 ForceModel data_driven_model() {
   return {
-      .declaration = {.id = "data_driven",
-                      .version = "2",
-                      .summary = "A flat plate with the vibration of autoregressive models over "
-                                 "speed and force",
-                      .source = "Culbertson, Lopez Delgado, Kuchenbecker (2014), One hundred "
-                                "data-driven haptic texture models",
-                      .needs_height_field = false,
-                      .amplitude_parameter = "gain",
-                      .replay_tolerance_N = 1e-6,  // of logarithms and exponentials in a recursion
-                      .parameters = parameters_of_vibration(),
-                      .assets = {{kVibrationModelsRole,
-                                  "autoregressive models of a texture at several speeds and normal "
-                                  "forces, a table that asperity fit-model writes"}}},
+      .declaration =
+          {.id = "data_driven",
+           .version = "2",
+           .summary = phrase("Models",
+                             "A flat plate with the vibration of autoregressive models over "
+                             "speed and force"),
+           .source = "Culbertson, Lopez Delgado, Kuchenbecker (2014), One hundred "
+                     "data-driven haptic texture models",
+           .needs_height_field = false,
+           .amplitude_parameter = "gain",
+           .replay_tolerance_N = 1e-6,  // of logarithms and exponentials in a recursion
+           .parameters = parameters_of_vibration(),
+           .assets = {{kVibrationModelsRole,
+                       phrase("Models",
+                              "autoregressive models of a texture at several speeds and normal "
+                              "forces, a table that asperity fit-model writes")}}},
       .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
         return std::make_unique<DataDriven>(inputs);
       },

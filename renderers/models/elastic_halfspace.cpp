@@ -11,7 +11,6 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
@@ -92,16 +91,18 @@ class ElasticHalfspace final : public ForceRenderer, public IndentationLaw, publ
     return 2.0 * ratio_ * modulus_Pa_ * contact_radius_m(force_N);
   }
 
-  std::optional<std::string> indentation_problem(double force_N) const override {
+  std::optional<Phrase> indentation_problem(double force_N) const override {
     const double radius_m = contact_radius_m(force_N);
     const double depth_m = shape_.end == TipEnd::ball ? radius_m * radius_m / shape_.radius_m
                                                       : force_N / (2.0 * modulus_Pa_ * radius_m);
     const double strain = depth_m / radius_m;
     if (strain <= kLargestStrain) return {};
-    return "under " + number_text(force_N) + " N the tip sinks in by " + fixed(1e3 * depth_m, 2) +
-           " mm, " + fixed(strain, 2) + " times the contact radius of " + fixed(1e3 * radius_m, 2) +
-           " mm; elastic_halfspace assumes small strains, at most " + fixed(kLargestStrain, 1) +
-           " times: raise youngs_modulus_Pa or tip_radius_m, or request less force";
+    return phrase("Protocols",
+                  "under %1 N the tip sinks in by %2 mm, %3 times the contact radius of %4 mm; "
+                  "elastic_halfspace assumes small strains, at most %5 times: raise "
+                  "youngs_modulus_Pa or tip_radius_m, or request less force")
+        .with(number_text(force_N), fixed(1e3 * depth_m, 2), fixed(strain, 2),
+              fixed(1e3 * radius_m, 2), fixed(kLargestStrain, 1));
   }
 
  private:
@@ -150,7 +151,7 @@ ForceModel elastic_halfspace_model() {
   ModelDeclaration declaration{
       .id = "elastic_halfspace",
       .version = "2",
-      .summary = "A rigid tip on a soft textured body that deforms around it",
+      .summary = phrase("Models", "A rigid tip on a soft textured body that deforms around it"),
       .source =
           "Johnson (1985), Contact mechanics; Polonsky, Keer (1999), A numerical method for "
           "solving rough contact problems",
@@ -161,17 +162,19 @@ ForceModel elastic_halfspace_model() {
       .parameters = {}};
   add_tip_parameters(declaration.parameters);
   const auto number = [&declaration](const char* name, const char* unit, double minimum,
-                                     double maximum, double default_value, const char* meaning) {
+                                     double maximum, double default_value, const Phrase& meaning) {
     declaration.parameters.push_back(
         number_parameter(name, unit, minimum, maximum, default_value, meaning));
   };
-  number("youngs_modulus_Pa", "Pa", 1e3, 1e8, 1e5,
-         "Young's modulus of the relaxed body: 0.1 MPa is a soft silicone rubber");
-  number("poisson_ratio", "1", 0.0, 0.5, 0.5, "Poisson's ratio; 0.5: incompressible");
+  number(
+      "youngs_modulus_Pa", "Pa", 1e3, 1e8, 1e5,
+      phrase("Models", "Young's modulus of the relaxed body: 0.1 MPa is a soft silicone rubber"));
+  number("poisson_ratio", "1", 0.0, 0.5, 0.5,
+         phrase("Models", "Poisson's ratio; 0.5: incompressible"));
   number("relaxation_ratio", "1", 1.0, 10.0, 1.2,
-         "Instantaneous modulus divided by the relaxed one; 1: elastic");
+         phrase("Models", "Instantaneous modulus divided by the relaxed one; 1: elastic"));
   number("relaxation_time_s", "s", 1e-3, 10.0, 0.02,
-         "Time constant of the relaxation at constant depth");
+         phrase("Models", "Time constant of the relaxation at constant depth"));
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

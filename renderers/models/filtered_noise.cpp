@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/random.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/recursive_noise.h"
@@ -25,9 +25,11 @@ std::vector<double> recursion_of(const ParameterValues& parameters) {
   const double length_m = number_of(parameters, "noise_length_m");
   if (peak_m <= 0.0) return {r};
   if (peak_m < 2.0 * length_m) {
-    throw std::invalid_argument("filtered_noise: peak_wavelength_m is " + number_text(peak_m) +
-                                "; it must be at least twice noise_length_m, " +
-                                number_text(2.0 * length_m) + ", or 0 for a low-pass");
+    throw PhrasedRefusal(
+        phrase("Models",
+               "filtered_noise: peak_wavelength_m is %1; it must be at least twice "
+               "noise_length_m, %2, or 0 for a low-pass")
+            .with(number_text(peak_m), number_text(2.0 * length_m)));
   }
   return {2.0 * r * std::cos(2.0 * std::numbers::pi * length_m / peak_m), -r * r};
 }
@@ -89,7 +91,7 @@ ForceModel filtered_noise_model() {
   ModelDeclaration declaration{
       .id = "filtered_noise",
       .version = "1",
-      .summary = "A flat plate with filtered noise along the direction of motion",
+      .summary = phrase("Models", "A flat plate with filtered noise along the direction of motion"),
       .source = "Fritz, Barner (1996), Stochastic models for haptic texture",
       .needs_height_field = false,
       .amplitude_parameter = "noise_sd_N",
@@ -97,16 +99,18 @@ ForceModel filtered_noise_model() {
       .parameters = {}};
   declaration.parameters = {
       number_parameter("noise_sd_N", "N", 0.0, 5.0, 0.05,
-                       "Standard deviation sigma of the filtered noise"),
+                       phrase("Models", "Standard deviation sigma of the filtered noise")),
       number_parameter("noise_length_m", "m", 5e-5, 0.01, 1e-4,
-                       "Length of path after which the noise takes a new value"),
+                       phrase("Models", "Length of path after which the noise takes a new value")),
       number_parameter("pole_radius", "1", 0.0, 0.999, 0.8,
-                       "Radius r of the poles of the filter; 0: white noise"),
+                       phrase("Models", "Radius r of the poles of the filter; 0: white noise")),
+      number_parameter("peak_wavelength_m", "m", 0.0, 0.1, 0.0,
+                       phrase("Models",
+                              "Wavelength of the resonance of two poles; 0: one pole, which gives "
+                              "a low-pass filter")),
       number_parameter(
-          "peak_wavelength_m", "m", 0.0, 0.1, 0.0,
-          "Wavelength of the resonance of two poles; 0: one pole, which gives a low-pass filter"),
-      number_parameter("reference_force_N", "N", 0.01, 10.0, 0.5,
-                       "Normal force below which the texture force decreases in proportion"),
+          "reference_force_N", "N", 0.01, 10.0, 0.5,
+          phrase("Models", "Normal force below which the texture force decreases in proportion")),
       device_step_parameter()};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),

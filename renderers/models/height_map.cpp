@@ -95,7 +95,7 @@ ForceModel height_map_model() {
   ModelDeclaration declaration{
       .id = "height_map",
       .version = "1",
-      .summary = "The height map of a photograph, felt through a spring",
+      .summary = phrase("Models", "The height map of a photograph, felt through a spring"),
       .source =
           "Wu, Song, Zou (2009), A novel haptic texture display based on image processing, "
           "doi:10.5772/7051",
@@ -106,20 +106,26 @@ ForceModel height_map_model() {
   declaration.parameters = {
       choice_parameter(
           "law", {"corrected", "literal"},
-          "corrected: the height enters the penetration; literal: equations 1 to 3 of the "
-          "source as printed"),
+          phrase("Models",
+                 "corrected: the height enters the penetration; literal: equations 1 to 3 of the "
+                 "source as printed")),
       number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
-                       "Factor applied to the heights of the field"),
+                       phrase("Models", "Factor applied to the heights of the field")),
       number_parameter("depth_limit_m", "m", 1e-5, 0.05, 0.003,
-                       "Depth H beyond which the normal force is constant"),
-      number_parameter("lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
-                       "Force along the surface, -gain times normal force times slope; 1 makes the "
-                       "force conservative; corrected law only"),
-      choice_parameter("offset", {"none", "subtract_min"},
-                       "Literal law only. none: equation 1, which attracts the probe over valleys; "
-                       "subtract_min: heights relative to the lowest sample"),
-      number_parameter("k1_N_per_m", "N/m", 0.0, 5000.0, 500.0,
-                       "Literal law only: k1 of equation 2, the stiffness of the plate")};
+                       phrase("Models", "Depth H beyond which the normal force is constant")),
+      number_parameter(
+          "lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
+          phrase("Models",
+                 "Force along the surface, -gain times normal force times slope; 1 makes the "
+                 "force conservative; corrected law only")),
+      choice_parameter(
+          "offset", {"none", "subtract_min"},
+          phrase("Models",
+                 "Literal law only. none: equation 1, which attracts the probe over valleys; "
+                 "subtract_min: heights relative to the lowest sample")),
+      number_parameter(
+          "k1_N_per_m", "N/m", 0.0, 5000.0, 500.0,
+          phrase("Models", "Literal law only: k1 of equation 2, the stiffness of the plate"))};
   add_layer_parameters(declaration.parameters);
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     if (choice_of(inputs.parameters, "law") == "literal") {

@@ -52,7 +52,8 @@ ForceModel lateral_gradient_model() {
   ModelDeclaration declaration{
       .id = "lateral_gradient",
       .version = "2",
-      .summary = "A flat plate with a lateral force proportional to the slope of the texture",
+      .summary = phrase(
+          "Models", "A flat plate with a lateral force proportional to the slope of the texture"),
       .source = "Minsky (1995), Computational haptics: the Sandpaper system, PhD thesis, MIT",
       .needs_height_field = true,
       .feels_applied_force = false,
@@ -61,12 +62,14 @@ ForceModel lateral_gradient_model() {
       .parameters = {}};
   declaration.parameters = {
       number_parameter("gain_N", "N", 0.0, 50.0, 1.0,
-                       "Force K along the surface at a slope of 1; with the law "
-                       "force, at a normal force of 1 N"),
+                       phrase("Models",
+                              "Force K along the surface at a slope of 1; with the law "
+                              "force, at a normal force of 1 N")),
       choice_parameter("law", {"constant", "force"},
-                       "constant: the force along the surface does not depend on "
-                       "how hard the hand presses, as in the source; force: it is "
-                       "proportional to the normal force")};
+                       phrase("Models",
+                              "constant: the force along the surface does not depend on "
+                              "how hard the hand presses, as in the source; force: it is "
+                              "proportional to the normal force"))};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -148,7 +148,9 @@ ForceModel normal_map_model() {
   ModelDeclaration declaration{
       .id = "normal_map",
       .version = "2",
-      .summary = "A flat plate whose force is turned by a map of normals, as in haptic frameworks",
+      .summary =
+          phrase("Models",
+                 "A flat plate whose force is turned by a map of normals, as in haptic frameworks"),
       .source = "CHAI3D 3.3, cNormalMap: a normal map from the grey levels of a picture",
       .needs_height_field = true,
       .amplitude_parameter = "height_scale",
@@ -157,10 +159,11 @@ ForceModel normal_map_model() {
   declaration.parameters = {
       choice_parameter(
           "law", {"grey_level", "physical"},
-          "grey_level: slope 0.01 for each of 255 grey levels between neighbouring texels, "
-          "as in the source; physical: the slope of the heights in metres"),
+          phrase("Models",
+                 "grey_level: slope 0.01 for each of 255 grey levels between neighbouring texels, "
+                 "as in the source; physical: the slope of the heights in metres")),
       number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
-                       "Factor applied to the slopes of the map"),
+                       phrase("Models", "Factor applied to the slopes of the map")),
       {.name = "bits",
        .kind = ParameterKind::integer,
        .unit = "1",
@@ -168,9 +171,10 @@ ForceModel normal_map_model() {
        .maximum = 24.0,
        .choices = {},
        .default_value = 8.0,
-       .meaning =
+       .meaning = phrase(
+           "Models",
            "Law grey_level only: bits of a grey level and of a stored component; 8 as in the "
-           "source, 24 for practically no rounding"}};
+           "source, 24 for practically no rounding")}};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/models/sinusoid.h"
@@ -55,16 +56,17 @@ std::optional<ParameterConflict> conflict_of_terms(const ParameterValues& values
     const std::vector<std::string> names{name_of("waves_y_", term.index),
                                          name_of("waves_x_", term.index)};
     if (term.waves_x == 0.0 && term.waves_y <= 0.0) {
-      return ParameterConflict{names, names[1] + " is 0 and " + names[0] + " is " +
-                                          number_text(term.waves_y) + "; a wave needs " + names[1] +
-                                          " > 0, or " + names[0] + " > 0."};
+      return ParameterConflict{
+          names, phrase("Protocols", "%1 is 0 and %2 is %3; a wave needs %1 > 0, or %2 > 0.")
+                     .with(names[1], names[0], number_text(term.waves_y))};
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (terms[j].waves_x != term.waves_x || terms[j].waves_y != term.waves_y) continue;
-      return ParameterConflict{names, "The terms " + std::to_string(terms[j].index) + " and " +
-                                          std::to_string(term.index) +
-                                          " are the same wave; give it once, with the sum of the "
-                                          "amplitudes."};
+      return ParameterConflict{
+          names, phrase("Protocols",
+                        "The terms %1 and %2 are the same wave; give it once, with the sum of the "
+                        "amplitudes.")
+                     .with(std::to_string(terms[j].index), std::to_string(term.index))};
     }
   }
   return std::nullopt;
@@ -84,7 +86,7 @@ class Periodic final : public ForceRenderer {
       : contact_(inputs.patch, inputs.material, inputs.parameters),
         direction_(direction_of(inputs.parameters)) {
     if (const auto conflict = conflict_of_terms(inputs.parameters)) {
-      throw std::invalid_argument("periodic: " + conflict->message);
+      throw PhrasedRefusal(Phrase("periodic: %1").with(conflict->message));
     }
     const double scale = number_of(inputs.parameters, "height_scale");
     const double turn_x = 2.0 * std::numbers::pi / number_of(inputs.parameters, "period_x_m");
@@ -168,32 +170,38 @@ TextureBand band_of_waves(const RendererInputs& inputs) {
 }
 
 std::vector<Parameter> parameters_of_waves() {
-  std::vector<Parameter> parameters{
-      number_parameter("height_scale", "1", 0.0, 100.0, 1.0, "Factor applied to all waves")};
+  std::vector<Parameter> parameters{number_parameter(
+      "height_scale", "1", 0.0, 100.0, 1.0, phrase("Models", "Factor applied to all waves"))};
   for (const char* const name : {"period_x_m", "period_y_m"}) {
-    parameters.push_back(number_parameter(name, "m", 1e-5, 0.1, 0.002,
-                                          "Length along this axis after which the relief repeats"));
+    parameters.push_back(number_parameter(
+        name, "m", 1e-5, 0.1, 0.002,
+        phrase("Models", "Length along this axis after which the relief repeats")));
   }
   for (int wave = 1; wave <= kWaves; ++wave) {
-    const std::string which = " of wave " + std::to_string(wave);
-    parameters.push_back(integer_parameter(name_of("waves_x_", wave), 0.0, 8.0,
-                                           static_cast<double>(wave),
-                                           "Periods" + which + " in period_x_m"));
+    const std::string number = std::to_string(wave);
+    parameters.push_back(
+        integer_parameter(name_of("waves_x_", wave), 0.0, 8.0, static_cast<double>(wave),
+                          phrase("Models", "Periods of wave %1 in period_x_m").with(number)));
     parameters.push_back(integer_parameter(
         name_of("waves_y_", wave), -8.0, 8.0, 0.0,
-        "Periods" + which +
-            " in period_y_m; a negative number mirrors the direction of the crests"));
+        phrase("Models",
+               "Periods of wave %1 in period_y_m; a negative number mirrors the direction of the "
+               "crests")
+            .with(number)));
     for (const bool is_cosine : {true, false}) {
       parameters.push_back(
           number_parameter(name_of(is_cosine ? "cosine_amplitude_" : "sine_amplitude_", wave, "_m"),
                            "m", -0.005, 0.005, wave == 1 && !is_cosine ? 1e-4 : 0.0,
-                           std::string(is_cosine ? "Cosine" : "Sine") + " amplitude" + which));
+                           (is_cosine ? phrase("Models", "Cosine amplitude of wave %1")
+                                      : phrase("Models", "Sine amplitude of wave %1"))
+                               .with(number)));
     }
   }
   parameters.push_back(choice_parameter(
       "force_direction", {"fixed", "local_normal", "gradient"},
-      "fixed: along the normal of the plane; local_normal: along that of the relief; "
-      "gradient: the negative gradient of the energy of the spring"));
+      phrase("Models",
+             "fixed: along the normal of the plane; local_normal: along that of the relief; "
+             "gradient: the negative gradient of the energy of the spring")));
   add_layer_parameters(parameters);
   return parameters;
 }
@@ -201,32 +209,34 @@ std::vector<Parameter> parameters_of_waves() {
 }  // namespace
 
 ForceModel periodic_model() {
-  return {.declaration = {.id = "periodic",
-                          .version = "2",
-                          .summary = "A relief of up to four plane waves, felt through a spring",
-                          .source =
-                              "Dominguez-Ramirez, Parra-Vega (2003), Texture, roughness and shape "
-                              "haptic perception of deformable virtual objects",
-                          .needs_height_field = false,
-                          .amplitude_parameter = "height_scale",
-                          .replay_tolerance_N = 1e-9,
-                          .parameters = parameters_of_waves(),
-                          .conflict_among = conflict_of_terms},
-          .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
-            return std::make_unique<Periodic>(inputs);
+  return {
+      .declaration = {.id = "periodic",
+                      .version = "2",
+                      .summary = phrase(
+                          "Models", "A relief of up to four plane waves, felt through a spring"),
+                      .source =
+                          "Dominguez-Ramirez, Parra-Vega (2003), Texture, roughness and shape "
+                          "haptic perception of deformable virtual objects",
+                      .needs_height_field = false,
+                      .amplitude_parameter = "height_scale",
+                      .replay_tolerance_N = 1e-9,
+                      .parameters = parameters_of_waves(),
+                      .conflict_among = conflict_of_terms},
+      .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+        return std::make_unique<Periodic>(inputs);
+      },
+      .suggested_by =
+          [](const HeightField& field, const Material& material) {
+            const ParameterValues wave = sinusoid_model().suggested_by(field, material);
+            ParameterValues suggested{{"sine_amplitude_1_m", wave.at("amplitude_m")}};
+            const auto length = wave.find("wavelength_m");
+            if (length != wave.end()) suggested["period_x_m"] = length->second;
+            return suggested;
           },
-          .suggested_by =
-              [](const HeightField& field, const Material& material) {
-                const ParameterValues wave = sinusoid_model().suggested_by(field, material);
-                ParameterValues suggested{{"sine_amplitude_1_m", wave.at("amplitude_m")}};
-                const auto length = wave.find("wavelength_m");
-                if (length != wave.end()) suggested["period_x_m"] = length->second;
-                return suggested;
-              },
-          .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
-          .band = band_of_waves,
-          .band_formula =
-              "v*max over the waves of sqrt((waves_x_i/period_x_m)^2 + (waves_y_i/period_y_m)^2)"};
+      .conservative_with = ParameterValues{{"force_direction", std::string("gradient")}},
+      .band = band_of_waves,
+      .band_formula =
+          "v*max over the waves of sqrt((waves_x_i/period_x_m)^2 + (waves_y_i/period_y_m)^2)"};
 }
 
 }  // namespace asperity

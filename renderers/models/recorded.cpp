@@ -9,13 +9,13 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/random.h"
 #include "analysis/signals/spectrum.h"
+#include "analysis/words/phrased_error.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
@@ -229,31 +229,41 @@ std::unique_ptr<ForceRenderer> make_recorded(const RendererInputs& inputs) {
   const RecordedSpectra spectra = spectra_of(inputs);
   if (spectra.speeds_m_per_s().size() < 2 &&
       choice_of(inputs.parameters, "single_speed") == "refused") {
-    throw std::invalid_argument(
-        "recording: all strokes have a speed near " + fixed(spectra.speeds_m_per_s().front(), 3) +
-        " m/s, and the texture at other speeds is unknown; record a second speed that differs by "
-        "at least 10 %, or set single_speed to accepted");
+    throw PhrasedRefusal(
+        phrase(
+            "Models",
+            "recording: all strokes have a speed near %1 m/s, and the texture at other speeds is "
+            "unknown; record a second speed that differs by at least 10 %, or set single_speed "
+            "to accepted")
+            .with(fixed(spectra.speeds_m_per_s().front(), 3)));
   }
   return std::make_unique<Recorded>(inputs, spectra);
 }
 
 std::vector<Parameter> parameters_of_playback() {
   std::vector<Parameter> parameters{
-      number_parameter("gain", "1", 0.0, 1000.0, 1.0, "Factor applied to the recorded force"),
+      number_parameter("gain", "1", 0.0, 1000.0, 1.0,
+                       phrase("Models", "Factor applied to the recorded force")),
       number_parameter(
           "force_exponent", "1", 0.0, 3.0, 1.0,
-          "Power of the normal force to which the texture force is proportional; 0: the "
-          "texture force is independent of the normal force"),
-      choice_parameter("axis", {"motion", "normal"},
-                       "Direction of the texture force: along the motion, or along the normal"),
+          phrase("Models",
+                 "Power of the normal force to which the texture force is proportional; 0: the "
+                 "texture force is independent of the normal force")),
+      choice_parameter(
+          "axis", {"motion", "normal"},
+          phrase("Models",
+                 "Direction of the texture force: along the motion, or along the normal")),
       choice_parameter(
           "axis_of_spectrum", {"spatial", "temporal"},
-          "spatial: waves along the path, whose frequency in hertz is proportional to the speed; "
-          "temporal: frequencies in hertz, interpolated between speeds as in the source"),
+          phrase("Models",
+                 "spatial: waves along the path, whose frequency in hertz is proportional to the "
+                 "speed; "
+                 "temporal: frequencies in hertz, interpolated between speeds as in the source")),
       choice_parameter(
           "single_speed", {"refused", "accepted"},
-          "Whether a recording with a single speed is accepted; its spectrum is then used "
-          "at every speed"),
+          phrase("Models",
+                 "Whether a recording with a single speed is accepted; its spectrum is then used "
+                 "at every speed")),
       device_step_parameter()};
   add_layer_parameters(parameters);
   return parameters;
@@ -262,34 +272,35 @@ std::vector<Parameter> parameters_of_playback() {
 }  // namespace
 
 ForceModel recorded_model() {
-  return {
-      .declaration = {.id = "recorded",
-                      .version = "2",
-                      .summary = "A flat plate with the vibration of a recorded texture",
-                      .source = "Vasudevan, Manivannan (2006), Recordable haptic textures",
-                      .needs_height_field = false,
-                      .amplitude_parameter = "gain",
-                      .replay_tolerance_N = 1e-6,  // of tables in single precision
-                      .parameters = parameters_of_playback(),
-                      .assets = {{kRecordingRole,
+  return {.declaration =
+              {.id = "recorded",
+               .version = "2",
+               .summary = phrase("Models", "A flat plate with the vibration of a recorded texture"),
+               .source = "Vasudevan, Manivannan (2006), Recordable haptic textures",
+               .needs_height_field = false,
+               .amplitude_parameter = "gain",
+               .replay_tolerance_N = 1e-6,  // of tables in single precision
+               .parameters = parameters_of_playback(),
+               .assets = {{kRecordingRole,
+                           phrase("Models",
                                   "the forces of strokes over a texture at two speeds or more, a "
-                                  "table that asperity texture-recording writes"}}},
-      .make = make_recorded,
-      .files_of_relief =
-          [](const HeightField& field) {
-            return std::map<std::string, std::string>{
-                {kRecordingRole, tsv_of(recording_of_relief(field))}};
-          },
-      .band =
-          [](const RendererInputs& inputs) {
-            const double band = spectra_of(inputs).band();
-            return axis_of(inputs.parameters) == SpectrumAxis::spatial
-                       ? TextureBand{.per_m = inputs.patch.motion_scale * band}
-                       : TextureBand{.time_Hz = band};
-          },
-      .band_formula =
-          "v*(waves per metre below which the recording has 99 % of its power); with "
-          "axis_of_spectrum=temporal that frequency"};
+                                  "table that asperity texture-recording writes")}}},
+          .make = make_recorded,
+          .files_of_relief =
+              [](const HeightField& field) {
+                return std::map<std::string, std::string>{
+                    {kRecordingRole, tsv_of(recording_of_relief(field))}};
+              },
+          .band =
+              [](const RendererInputs& inputs) {
+                const double band = spectra_of(inputs).band();
+                return axis_of(inputs.parameters) == SpectrumAxis::spatial
+                           ? TextureBand{.per_m = inputs.patch.motion_scale * band}
+                           : TextureBand{.time_Hz = band};
+              },
+          .band_formula =
+              "v*(waves per metre below which the recording has 99 % of its power); with "
+              "axis_of_spectrum=temporal that frequency"};
 }
 
 }  // namespace asperity

@@ -65,7 +65,7 @@ ForceModel sinusoid_model() {
   ModelDeclaration declaration{
       .id = "sinusoid",
       .version = "2",
-      .summary = "A sinusoidal grating, felt through a spring",
+      .summary = phrase("Models", "A sinusoidal grating, felt through a spring"),
       .source =
           "Wu, Song, Zou (2009), equation 4; after Choi, Tan (2004), Perceived instability "
           "of virtual haptic texture",
@@ -75,14 +75,17 @@ ForceModel sinusoid_model() {
       .parameters = {}};
   declaration.parameters = {
       number_parameter("amplitude_m", "m", 0.0, 0.005, 0.0001,
-                       "Amplitude A: half the height from trough to crest"),
-      number_parameter("wavelength_m", "m", 1e-5, 0.1, 0.002, "Wavelength L"),
-      number_parameter("direction_rad", "rad", -std::numbers::pi, std::numbers::pi, 0.0,
-                       "Direction in which the height varies, from +x towards +y"),
+                       phrase("Models", "Amplitude A: half the height from trough to crest")),
+      number_parameter("wavelength_m", "m", 1e-5, 0.1, 0.002, phrase("Models", "Wavelength L")),
+      number_parameter(
+          "direction_rad", "rad", -std::numbers::pi, std::numbers::pi, 0.0,
+          phrase("Models", "Direction in which the height varies, from +x towards +y")),
       choice_parameter(
           "force_direction", {"fixed", "local_normal", "gradient"},
-          "fixed: along the normal of the plane, as in the source; local_normal: along that of "
-          "the grating; gradient: the negative gradient of the energy of the spring")};
+          phrase(
+              "Models",
+              "fixed: along the normal of the plane, as in the source; local_normal: along that of "
+              "the grating; gradient: the negative gradient of the energy of the spring"))};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -118,34 +118,42 @@ TextureBand band_of_octaves(const RendererInputs& inputs) {
 }  // namespace
 
 ForceModel solid_noise_model() {
-  ModelDeclaration declaration{.id = "solid_noise",
-                               .version = "1",
-                               .summary = "A relief cut out of noise that fills space",
-                               .source =
-                                   "Fritz, Barner (1996), Stochastic models for haptic "
-                                   "texture; Perlin (2002), Improving noise",
-                               .needs_height_field = false,
-                               .amplitude_parameter = "amplitude_m",
-                               .replay_tolerance_N = 1e-9,
-                               .parameters = {}};
+  ModelDeclaration declaration{
+      .id = "solid_noise",
+      .version = "1",
+      .summary = phrase("Models", "A relief cut out of noise that fills space"),
+      .source =
+          "Fritz, Barner (1996), Stochastic models for haptic "
+          "texture; Perlin (2002), Improving noise",
+      .needs_height_field = false,
+      .amplitude_parameter = "amplitude_m",
+      .replay_tolerance_N = 1e-9,
+      .parameters = {}};
   declaration.parameters = {
       number_parameter(
           "amplitude_m", "m", 0.0, 0.005, 50e-6,
-          "Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude"),
-      number_parameter(
-          "wavelength_m", "m", 1e-4, 0.1, 0.001,
-          "Cell size of the lattice of the first octave, approximately the longest wavelength"),
+          phrase(
+              "Models",
+              "Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude")),
+      number_parameter("wavelength_m", "m", 1e-4, 0.1, 0.001,
+                       phrase("Models",
+                              "Cell size of the lattice of the first octave, approximately the "
+                              "longest wavelength")),
       integer_parameter(
           "octaves", 1.0, static_cast<double>(kMostOctaves), kDefaultOctaves,
-          "Number of octaves, each with half the wavelength and half the amplitude of the "
-          "previous one"),
+          phrase("Models",
+                 "Number of octaves, each with half the wavelength and half the amplitude of the "
+                 "previous one")),
       integer_parameter(
           "relief", 0.0, 1e6, 0.0,
-          "Number of the relief, which is the same in every presentation; 0: a different "
-          "relief in every presentation"),
-      number_parameter("lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
-                       "Force along the surface, -gain times normal force times slope; 1 makes the "
-                       "force conservative")};
+          phrase("Models",
+                 "Number of the relief, which is the same in every presentation; 0: a different "
+                 "relief in every presentation")),
+      number_parameter(
+          "lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
+          phrase("Models",
+                 "Force along the surface, -gain times normal force times slope; 1 makes the "
+                 "force conservative"))};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -155,7 +155,8 @@ ForceModel stochastic_model() {
   ModelDeclaration declaration{
       .id = "stochastic",
       .version = "2",
-      .summary = "A flat plate with white noise on its normal force while the hand moves",
+      .summary = phrase("Models",
+                        "A flat plate with white noise on its normal force while the hand moves"),
       .source =
           "Siira, Pai (1996), Haptic texturing - a stochastic approach, as restated by Wu, "
           "Song, Zou (2009)",
@@ -164,21 +165,34 @@ ForceModel stochastic_model() {
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
   declaration.parameters = {
-      number_parameter("noise_sd_N", "N", 0.0, 5.0, 0.05, "Standard deviation sigma of the noise"),
-      number_parameter("noise_mean_N", "N", -5.0, 5.0, 0.0,
-                       "Mean of the noise; 0 for a texture whose mean height has been subtracted"),
-      number_parameter("noise_rate_Hz", "Hz", 10.0, 10000.0, 1000.0,
-                       "Rate at which the noise takes a new value, independent of the servo rate"),
-      number_parameter("velocity_threshold_m_per_s", "m/s", 0.0, 0.1, 0.005,
-                       "Index time only: speed along the surface below which there is no noise"),
+      number_parameter("noise_sd_N", "N", 0.0, 5.0, 0.05,
+                       phrase("Models", "Standard deviation sigma of the noise")),
+      number_parameter(
+          "noise_mean_N", "N", -5.0, 5.0, 0.0,
+          phrase("Models",
+                 "Mean of the noise; 0 for a texture whose mean height has been subtracted")),
+      number_parameter(
+          "noise_rate_Hz", "Hz", 10.0, 10000.0, 1000.0,
+          phrase("Models",
+                 "Rate at which the noise takes a new value, independent of the servo rate")),
+      number_parameter(
+          "velocity_threshold_m_per_s", "m/s", 0.0, 0.1, 0.005,
+          phrase("Models",
+                 "Index time only: speed along the surface below which there is no noise")),
       choice_parameter(
           "index", {"time", "distance"},
-          "time: a new value after each 1/noise_rate_Hz, as in the source; distance: after "
-          "each noise_length_m of the path along the surface"),
+          phrase("Models",
+                 "time: a new value after each 1/noise_rate_Hz, as in the source; distance: after "
+                 "each noise_length_m of the path along the surface")),
       number_parameter(
           "noise_length_m", "m", 5e-5, 0.01, 1e-4,
-          "Index distance only: length of path after which the noise takes a new value"),
-      device_step_parameter("Index distance only")};
+          phrase("Models",
+                 "Index distance only: length of path after which the noise takes a new value")),
+      device_step_parameter(phrase(
+          "Models",
+          "Index distance only: position step of the device; motion of up to two steps, and of up "
+          "to 20 µm, does not lengthen the path. A session takes a missing value from its "
+          "device"))};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

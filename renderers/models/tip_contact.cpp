@@ -31,17 +31,22 @@ double slope_at(const CellField& field, std::size_t cell, std::size_t place,
 }  // namespace
 
 void add_tip_parameters(std::vector<Parameter>& parameters) {
-  parameters.push_back(number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
-                                        "Factor applied to the heights of the field"));
+  parameters.push_back(
+      number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
+                       phrase("Models", "Factor applied to the heights of the field")));
   parameters.push_back(choice_parameter(
-      "tip", {"ball", "flat"}, "Shape of the rigid tip: a ball, or the flat end of a cylinder"));
+      "tip", {"ball", "flat"},
+      phrase("Models", "Shape of the rigid tip: a ball, or the flat end of a cylinder")));
   parameters.push_back(
       number_parameter("tip_radius_m", "m", 2e-4, 0.02, 0.003,
-                       "Radius of the tip; the contact is computed in cells of 1/15 of "
-                       "it, and texture finer than two cells is lost"));
-  parameters.push_back(choice_parameter("tool_turns", {"fixed", "device"},
-                                        "fixed: the tip stays upright; device: it tilts with the "
-                                        "handle, by small angles"));
+                       phrase("Models",
+                              "Radius of the tip; the contact is computed in cells of 1/15 of "
+                              "it, and texture finer than two cells is lost")));
+  parameters.push_back(
+      choice_parameter("tool_turns", {"fixed", "device"},
+                       phrase("Models",
+                              "fixed: the tip stays upright; device: it tilts with the "
+                              "handle, by small angles")));
 }
 
 PressedTip::Shape tip_shape_of(const ParameterValues& parameters) {

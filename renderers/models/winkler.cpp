@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "renderers/elastic/surface_dent.h"
@@ -60,7 +59,7 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
     return shape_.end == TipEnd::flat ? per_depth * shape_.radius_m
                                       : 2.0 * std::sqrt(per_depth * force_N);
   }
-  std::optional<std::string> indentation_problem(double) const override { return {}; }
+  std::optional<Phrase> indentation_problem(double) const override { return {}; }
 
  private:
   enum Limit : std::size_t { contact, cell_border };
@@ -85,19 +84,21 @@ class Winkler final : public ForceRenderer, public IndentationLaw, public DentsS
 }  // namespace
 
 ForceModel winkler_model() {
-  ModelDeclaration declaration{.id = "winkler",
-                               .version = "2",
-                               .summary = "A rigid tip on a textured bed of springs",
-                               .source = "Johnson (1985), Contact mechanics, section 4.3",
-                               .needs_height_field = true,
-                               .amplitude_parameter = "height_scale",
-                               .replay_tolerance_N = 1e-9,
-                               .parameters = {}};
+  ModelDeclaration declaration{
+      .id = "winkler",
+      .version = "2",
+      .summary = phrase("Models", "A rigid tip on a textured bed of springs"),
+      .source = "Johnson (1985), Contact mechanics, section 4.3",
+      .needs_height_field = true,
+      .amplitude_parameter = "height_scale",
+      .replay_tolerance_N = 1e-9,
+      .parameters = {}};
   add_tip_parameters(declaration.parameters);
-  declaration.parameters.push_back(
-      number_parameter("foundation_N_per_m3", "N/m3", 1e4, 1e11, 3e7,
-                       "Pressure per depth; the default is as stiff under a flat end of 3 mm as "
-                       "elastic_halfspace with its defaults"));
+  declaration.parameters.push_back(number_parameter(
+      "foundation_N_per_m3", "N/m3", 1e4, 1e11, 3e7,
+      phrase("Models",
+             "Pressure per depth; the default is as stiff under a flat end of 3 mm as "
+             "elastic_halfspace with its defaults")));
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

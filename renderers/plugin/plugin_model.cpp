@@ -132,7 +132,7 @@ Parameter parameter_of(const asperity_parameter& given, std::size_t index) {
                       number_text(given.maximum) + "; it must be finite and not empty");
   }
   if (const auto complaint = complaint_about(parameter, parameter.default_value)) {
-    refuse(field, "has a default that it does not allow: " + *complaint);
+    refuse(field, "has a default that it does not allow: " + complaint->english());
   }
   return parameter;
 }

@@ -3,10 +3,10 @@
 #include "renderers/recordings/relief_recording.h"
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "device/refusal.h"
 
 namespace asperity {
@@ -23,11 +23,13 @@ TextureRecording recording_of_relief(const HeightField& field, const ReliefStrok
     const double way_m = speed_m_per_s / strokes.rate_Hz;
     const auto count = static_cast<std::size_t>(width_m / way_m);
     if (count < kFewestSamplesOfStroke) {
-      throw std::invalid_argument(
-          "the relief is " + number_text(width_m * 1e3) + " mm wide, too narrow for " +
-          std::to_string(kFewestSamplesOfStroke) + " samples at " + number_text(speed_m_per_s) +
-          " m/s and " + number_text(strokes.rate_Hz) +
-          " Hz; choose a lower speed or a higher sampling rate");
+      throw PhrasedRefusal(
+          phrase(
+              "Models",
+              "the relief is %1 mm wide, too narrow for %2 samples at %3 m/s and %4 Hz; choose a "
+              "lower speed or a higher sampling rate")
+              .with(number_text(width_m * 1e3), std::to_string(kFewestSamplesOfStroke),
+                    number_text(speed_m_per_s), number_text(strokes.rate_Hz)));
     }
     for (const double part : {-0.25, 0.0, 0.25}) {
       RecordedStroke stroke{};

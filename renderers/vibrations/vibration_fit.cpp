@@ -12,6 +12,7 @@
 #include "analysis/signals/autoregression.h"
 #include "analysis/signals/band_limited.h"
 #include "analysis/signals/line_spectrum.h"
+#include "analysis/words/phrased_error.h"
 #include "device/refusal.h"
 #include "renderers/recordings/even_stroke.h"
 
@@ -194,7 +195,9 @@ VibrationFit fitted_vibrations(const TextureRecording& recording, const std::str
     }
     if (std::none_of(samples.begin(), samples.end(),
                      [](double sample) { return std::abs(sample) > kSilence_m_per_s2; })) {
-      throw std::invalid_argument(which + " has no vibration; leave it out of the recording");
+      throw PhrasedRefusal(
+          phrase("Models", "%1: stroke %2 has no vibration; leave it out of the recording")
+              .with(name, std::to_string(i + 1)));
     }
   }
   const std::vector<std::vector<Acceleration>> groups = groups_of(std::move(strokes));

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/signals/line_spectrum.h"
+#include "analysis/words/phrased_error.h"
 
 namespace asperity {
 
@@ -19,10 +19,13 @@ VibrationMap::VibrationMap(const VibrationModels& set, VarianceLaw law, const st
   for (std::size_t i = 0; i < set.models.size(); ++i) {
     const VibrationModel& model = set.models[i];
     if (law == VarianceLaw::logarithmic && model.variance_m2_per_s4 == 0.0) {
-      throw std::invalid_argument(
-          name + ": model " + std::to_string(i + 1) + " at " + number_text(model.speed_m_per_s) +
-          " m/s and " + number_text(model.normal_N) +
-          " N is silent, and the logarithm of its variance does not exist; set variance to linear");
+      throw PhrasedRefusal(
+          phrase(
+              "Models",
+              "%1: model %2 at %3 m/s and %4 N is silent, and the logarithm of its variance does "
+              "not exist; set variance to linear")
+              .with(name, std::to_string(i + 1), number_text(model.speed_m_per_s),
+                    number_text(model.normal_N)));
     }
     lines_rad_.insert(lines_rad_.end(), model.lines_rad.begin(), model.lines_rad.end());
     variance_.push_back(law == VarianceLaw::logarithmic ? std::log(model.variance_m2_per_s4)

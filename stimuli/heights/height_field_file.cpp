@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
 #include "analysis/numbers/repeated_key.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/pictures/photograph.h"
 #include "stimuli/pictures/picture_codecs.h"
 
@@ -20,7 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFieldFormat = "asperity.height_field/1";
-constexpr const char* kMakeAgain = "Make the height field again.";
 constexpr double kLargestLevel = 65535.0;
 
 Json provenance_json(const HeightFieldProvenance& provenance) {
@@ -38,29 +37,37 @@ Json provenance_json(const HeightFieldProvenance& provenance) {
   return json;
 }
 
+Phrase with_remedy(const Phrase& sentence) {
+  return Phrase("%1 %2").with(sentence, phrase("Stimuli", "Make the height field again."));
+}
+
 class Sidecar final {
  public:
   Sidecar(std::string_view text, std::string name) : name_(std::move(name)) {
     json_ = Json::parse(text, nullptr, false);
-    if (!json_.is_object()) refuse("is not a JSON object in the format " + format() + ".");
+    if (!json_.is_object())
+      refuse(phrase("Stimuli", "%1 is not a JSON object in the format %2."), format());
     if (const auto key = repeated_key<Json>(text)) {
-      refuse("has the key \"" + *key + "\" twice in one object.");
+      refuse(phrase("Stimuli", "%1 has the key \"%2\" twice in one object."), *key);
     }
     const std::string given = this->text(json_, "format");
     if (given != kFieldFormat) {
-      refuse("has the format \"" + given + "\"; this program reads " + format() + ".");
+      refuse(phrase("Stimuli", "%1 has the format \"%2\"; this program reads %3."), given,
+             format());
     }
   }
 
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw std::invalid_argument(name_ + " " + sentence + ' ' + kMakeAgain);
+  /// %1 of the sentence is the name of the file.
+  template <class... Values>
+  [[noreturn]] void refuse(const Phrase& sentence, const Values&... values) const {
+    throw PhrasedRefusal(with_remedy(sentence.with(name_, values...)));
   }
 
   double length_m(const char* key) const {
     const auto found = json_.find(key);
     // NaN is not valid JSON, and a number too large for a double is infinite.
     if (found == json_.end() || !found->is_number() || std::abs(found->get<double>()) > 1.0) {
-      refuse("needs a number " + std::string(key) + ", in metres, of at most 1.");
+      refuse(phrase("Stimuli", "%1 needs a number %2, in metres, of at most 1."), key);
     }
     return found->get<double>();
   }
@@ -69,7 +76,8 @@ class Sidecar final {
 
   HeightFieldProvenance provenance() const {
     const auto found = json_.find("provenance");
-    if (found == json_.end() || !found->is_object()) refuse("needs an object provenance.");
+    if (found == json_.end() || !found->is_object())
+      refuse(phrase("Stimuli", "%1 needs an object provenance."));
     HeightFieldProvenance result{.kind = text(*found, "kind"),
                                  .program_version = text(*found, "program_version")};
     if (found->contains("source_name")) {
@@ -77,12 +85,13 @@ class Sidecar final {
       result.source_sha256 = text(*found, "source_sha256");
     }
     if (const auto seed = found->find("seed"); seed != found->end()) {
-      if (!seed->is_number_unsigned()) refuse("has a provenance seed that is not a whole number.");
+      if (!seed->is_number_unsigned())
+        refuse(phrase("Stimuli", "%1 has a provenance seed that is not a whole number."));
       result.seed = seed->get<std::uint64_t>();
     }
     const auto parameters = found->find("parameters");
     if (parameters == found->end() || !parameters->is_object()) {
-      refuse("needs an object provenance/parameters.");
+      refuse(phrase("Stimuli", "%1 needs an object provenance/parameters."));
     }
     for (const auto& [key, value] : parameters->items()) {
       if (value.is_number()) {
@@ -90,7 +99,9 @@ class Sidecar final {
       } else if (value.is_string()) {
         result.parameters.emplace(key, value.get<std::string>());
       } else {
-        refuse("has a provenance parameter " + key + " that is neither a number nor a string.");
+        refuse(phrase("Stimuli",
+                      "%1 has a provenance parameter %2 that is neither a number nor a string."),
+               key);
       }
     }
     return result;
@@ -102,7 +113,7 @@ class Sidecar final {
   std::string text(const Json& object, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_string()) {
-      refuse("needs a string \"" + std::string(key) + "\".");
+      refuse(phrase("Stimuli", "%1 needs a string \"%2\"."), key);
     }
     return found->get<std::string>();
   }
@@ -146,13 +157,15 @@ StoredHeightField decode_height_field(std::span<const std::byte> png, std::strin
   const double minimum_m = json.length_m("height_min_m");
   const double range_m = json.length_m("height_max_m") - minimum_m;
   const double pitch_m = json.length_m("pitch_m");
-  if (pitch_m <= 0.0) json.refuse("has a pitch_m that is not positive.");
-  if (!(range_m >= 0.0)) json.refuse("has a height_max_m below its height_min_m.");
+  if (pitch_m <= 0.0) json.refuse(phrase("Stimuli", "%1 has a pitch_m that is not positive."));
+  if (!(range_m >= 0.0))
+    json.refuse(phrase("Stimuli", "%1 has a height_max_m below its height_min_m."));
 
   const PictureFacts facts = inspect_picture(png, name);
   if (facts.format != PictureFormat::png || facts.bits_per_channel != 16 || facts.channels != 1) {
-    throw std::invalid_argument(
-        name + " is not a 16-bit greyscale PNG, as a height field must be. " + kMakeAgain);
+    throw PhrasedRefusal(with_remedy(
+        phrase("Stimuli", "%1 is not a 16-bit greyscale PNG, as a height field must be.")
+            .with(name)));
   }
   const GreyImage grey = decode_photograph(png, name).grey;
   std::vector<float> heights_m(grey.values.size());

@@ -3,9 +3,10 @@
 #include "stimuli/heights/spectral_noise.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <opencv2/core.hpp>
+
+#include "analysis/words/phrased_error.h"
 
 namespace asperity {
 
@@ -34,8 +35,9 @@ Heights spectral_noise(const SurfaceCanvas& canvas, std::string_view stream,
   cv::dft(spectrum, noise, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
   const double rms = cv::norm(noise, cv::NORM_L2) / n;
   if (!(rms > 1e-20)) {
-    throw std::invalid_argument(
-        "No wavelength of this noise fits into the surface; increase width_m or pixels.");
+    throw PhrasedRefusal(
+        phrase("Stimuli",
+               "No wavelength of this noise fits into the surface; increase width_m or pixels."));
   }
   noise *= 1.0 / rms;
   return {noise.ptr<float>(0), noise.ptr<float>(0) + noise.total()};

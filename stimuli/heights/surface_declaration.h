@@ -14,7 +14,7 @@ namespace asperity {
 /// A kind of synthetic surface, by its name in the command line and in a sidecar.
 struct SurfaceDeclaration {
   std::string kind{};
-  std::string summary{};
+  Phrase summary{};
   std::vector<Parameter> parameters{};
 };
 

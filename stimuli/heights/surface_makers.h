@@ -26,9 +26,9 @@ std::vector<SurfaceMaker> material_makers();
 
 /// A parameter with a length in metres.
 Parameter length_parameter(std::string_view name, double minimum_m, double maximum_m,
-                           double default_m, std::string_view meaning);
+                           double default_m, const Phrase& meaning);
 Parameter plain_parameter(std::string_view name, double minimum, double maximum,
-                          double default_value, std::string_view meaning);
+                          double default_value, const Phrase& meaning);
 
 double pitch_of(const SurfaceCanvas& canvas) noexcept;
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/heights/spectral_noise.h"
 #include "stimuli/heights/surface_makers.h"
 
@@ -47,9 +47,9 @@ Heights make_grating(const ParameterValues& values, const SurfaceCanvas& canvas)
   const double half_ridge_m = 0.5 * number_of(values, "ridge_width_m");
   const double flank_m = number_of(values, "flank_width_m");
   if (2.0 * (half_ridge_m + flank_m) > spacing_m) {
-    throw std::invalid_argument(
-        "grating: ridge_width_m and two flank_width_m together are wider than spacing_m; make them "
-        "narrower or the spacing wider.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "grating: ridge_width_m and two flank_width_m together are wider "
+                                "than spacing_m; make them narrower or the spacing wider."));
   }
   return heights_from(canvas, [&](const SurfacePoint& p) {
     const double from_ridge_m = std::abs(std::remainder(p.x_m, spacing_m));
@@ -82,13 +82,13 @@ ConeLattice cone_lattice(const ParameterValues& values, const SurfaceCanvas& can
   const double across = spacings * std::sin(angle_rad);
   if (std::abs(along - std::round(along)) > kSeamless ||
       std::abs(across - std::round(across)) > kSeamless || std::round(across) == 0.0) {
-    throw std::invalid_argument("cones: rows at angle_rad " + number_text(angle_rad) +
-                                " do not continue across the borders: the width contains " +
-                                number_text(along) + " spacings of a row along x and " +
-                                number_text(across) +
-                                " along y, which must be whole numbers; choose for example "
-                                "angle_rad 0.643501 (3 to 4) and a "
-                                "width of a multiple of five spacings.");
+    throw PhrasedRefusal(
+        phrase(
+            "Stimuli",
+            "cones: rows at angle_rad %1 do not continue across the borders: the width contains "
+            "%2 spacings of a row along x and %3 along y, which must be whole numbers; choose "
+            "for example angle_rad 0.643501 (3 to 4) and a width of a multiple of five spacings.")
+            .with(number_text(angle_rad), number_text(along), number_text(across)));
   }
   const auto a = static_cast<std::size_t>(std::round(along));
   const auto b = static_cast<std::size_t>(std::round(across));
@@ -107,8 +107,8 @@ Heights make_cones(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double top_share =
       number_of(values, "top_diameter_m") / number_of(values, "base_diameter_m");
   if (top_share >= 1.0) {
-    throw std::invalid_argument(
-        "cones: top_diameter_m is not smaller than base_diameter_m; make it smaller.");
+    throw PhrasedRefusal(phrase(
+        "Stimuli", "cones: top_diameter_m is not smaller than base_diameter_m; make it smaller."));
   }
   const double shift_m = number_of(values, "jitter") * spacing_m;
   Random random = Random(canvas.seed).split("cones");
@@ -139,8 +139,9 @@ Heights make_noise(const ParameterValues& values, const SurfaceCanvas& canvas) {
   const double highest_per_m = 1.0 / number_of(values, "shortest_wavelength_m");
   const double exponent = number_of(values, "exponent");
   if (lowest_per_m >= highest_per_m) {
-    throw std::invalid_argument(
-        "noise: shortest_wavelength_m is not shorter than longest_wavelength_m; make it shorter.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "noise: shortest_wavelength_m is not shorter than "
+                                "longest_wavelength_m; make it shorter."));
   }
   Heights heights_m = spectral_noise(canvas, "noise", [&](const Wavenumber& at) {
     const double wavenumber_per_m = std::hypot(at.x_per_m, at.y_per_m);
@@ -159,39 +160,54 @@ std::vector<SurfaceMaker> pattern_makers() {
       {{"sinusoid",
         "h = A sin(2π(x cos θ + y sin θ)/L)",
         {length_parameter("amplitude_m", 0.0, 0.005, 2e-4,
-                          "A: half the height from trough to crest"),
-         length_parameter("spacing_m", 1e-4, 0.05, 0.002, "L: distance from crest to crest"),
+                          phrase("Stimuli", "A: half the height from trough to crest")),
+         length_parameter("spacing_m", 1e-4, 0.05, 0.002,
+                          phrase("Stimuli", "L: distance from crest to crest")),
          plain_parameter("angle_rad", -3.1415926535897931, 3.1415926535897931, 0.0,
-                         "θ: direction across the crests, from +x towards +y")}},
+                         phrase("Stimuli", "θ: direction across the crests, from +x towards +y"))}},
        make_sinusoid},
       {{"grating",
-        "straight ridges along y with flat tops and straight flanks; a ridge at x = 0",
-        {length_parameter("spacing_m", 1e-4, 0.05, 0.002, "distance from ridge to ridge"),
-         length_parameter("height_m", 0.0, 0.005, 4e-4, "height from groove to top"),
-         length_parameter("ridge_width_m", 0.0, 0.05, 5e-4, "width of the flat top"),
-         length_parameter("flank_width_m", 1e-5, 0.05, 3e-4, "width of one flank, along x")}},
+        phrase("Stimuli",
+               "straight ridges along y with flat tops and straight flanks; a ridge at x = 0"),
+        {length_parameter("spacing_m", 1e-4, 0.05, 0.002,
+                          phrase("Stimuli", "distance from ridge to ridge")),
+         length_parameter("height_m", 0.0, 0.005, 4e-4,
+                          phrase("Stimuli", "height from groove to top")),
+         length_parameter("ridge_width_m", 0.0, 0.05, 5e-4,
+                          phrase("Stimuli", "width of the flat top")),
+         length_parameter("flank_width_m", 1e-5, 0.05, 3e-4,
+                          phrase("Stimuli", "width of one flank, along x"))}},
        make_grating},
       {{"cones",
-        "truncated cones on a square lattice, shifted at random (dithered)",
-        {length_parameter("spacing_m", 2e-4, 0.05, 0.0025, "distance between neighbouring cones"),
-         length_parameter("height_m", 0.0, 0.005, 4e-4, "height of a cone"),
-         length_parameter("top_diameter_m", 0.0, 0.05, 4e-4, "diameter of the flat top"),
-         length_parameter("base_diameter_m", 2e-4, 0.05, 0.0012, "diameter of the base"),
-         plain_parameter("jitter", 0.0, 0.5, 0.15,
-                         "largest shift along and across the rows, as a fraction of the spacing"),
-         plain_parameter("angle_rad", 0.0, 0.25 * std::numbers::pi, 0.0,
-                         "direction of the rows, from +x towards +y; the rows must continue across "
-                         "the borders (0.643501, 3 to 4, on a multiple of five spacings)")}},
+        phrase("Stimuli", "truncated cones on a square lattice, shifted at random (dithered)"),
+        {length_parameter("spacing_m", 2e-4, 0.05, 0.0025,
+                          phrase("Stimuli", "distance between neighbouring cones")),
+         length_parameter("height_m", 0.0, 0.005, 4e-4, phrase("Stimuli", "height of a cone")),
+         length_parameter("top_diameter_m", 0.0, 0.05, 4e-4,
+                          phrase("Stimuli", "diameter of the flat top")),
+         length_parameter("base_diameter_m", 2e-4, 0.05, 0.0012,
+                          phrase("Stimuli", "diameter of the base")),
+         plain_parameter(
+             "jitter", 0.0, 0.5, 0.15,
+             phrase("Stimuli",
+                    "largest shift along and across the rows, as a fraction of the spacing")),
+         plain_parameter(
+             "angle_rad", 0.0, 0.25 * std::numbers::pi, 0.0,
+             phrase("Stimuli",
+                    "direction of the rows, from +x towards +y; the rows must continue across "
+                    "the borders (0.643501, 3 to 4, on a multiple of five spacings)"))}},
        make_cones},
       {{"noise",
-        "isotropic Gaussian noise of power spectral density (per area of the wavenumber plane) ∝ "
-        "wavenumber^−exponent between two wavelengths",
-        {length_parameter("rms_m", 0.0, 0.005, 1e-4, "RMS of the heights"),
-         plain_parameter("exponent", 0.0, 6.0, 3.0, "exponent of the power law"),
+        phrase("Stimuli",
+               "isotropic Gaussian noise of power spectral density (per area of the wavenumber "
+               "plane) ∝ "
+               "wavenumber^−exponent between two wavelengths"),
+        {length_parameter("rms_m", 0.0, 0.005, 1e-4, phrase("Stimuli", "RMS of the heights")),
+         plain_parameter("exponent", 0.0, 6.0, 3.0, phrase("Stimuli", "exponent of the power law")),
          length_parameter("shortest_wavelength_m", 1e-4, 0.1, 4e-4,
-                          "shortest wavelength of the noise"),
+                          phrase("Stimuli", "shortest wavelength of the noise")),
          length_parameter("longest_wavelength_m", 1e-4, 1.0, 0.01,
-                          "longest wavelength of the noise")}},
+                          phrase("Stimuli", "longest wavelength of the noise"))}},
        make_noise},
   };
 }

@@ -26,10 +26,10 @@ constexpr std::size_t kFewestPixels = 16;
 constexpr std::size_t kMostPixels = 8192;
 constexpr double kWholeWaves = 1e-3;  // of a wave: a smaller seam is rounding
 
-// Rounded to nanometres, without the last bits of a division.
+// Rounded to nanometres, without the last bits of a division; in metres.
 std::string length_text(double length_m) {
   constexpr double kNanometres_per_m = 1e9;
-  return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m) + " m";
+  return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m);
 }
 
 // A structure that repeats along an axis of the canvas.
@@ -40,19 +40,19 @@ struct RegularRepeat {
 };
 
 // "spacings of 0.002 m (spacing_m)"
-std::string text_of_parts(RegularPart part, double length_m) {
+Phrase text_of_parts(RegularPart part, double length_m) {
   const std::string length = length_text(length_m);
   switch (part) {
     case RegularPart::spacing:
       break;
     case RegularPart::spacing_at_angle:
-      return "spacings of " + length + " (spacing_m at this angle_rad)";
+      return phrase("Stimuli", "spacings of %1 m (spacing_m at this angle_rad)").with(length);
     case RegularPart::brick:
-      return "bricks of " + length + " (brick_length_m)";
+      return phrase("Stimuli", "bricks of %1 m (brick_length_m)").with(length);
     case RegularPart::pair_of_courses:
-      return "pairs of courses of " + length + " (2 · course_height_m)";
+      return phrase("Stimuli", "pairs of courses of %1 m (2 · course_height_m)").with(length);
   }
-  return "spacings of " + length + " (spacing_m)";
+  return phrase("Stimuli", "spacings of %1 m (spacing_m)").with(length);
 }
 
 // The complete values of a kind; empty if `make_surface` would refuse them.
@@ -115,15 +115,20 @@ std::optional<SurfaceSeam> seam_of(std::string_view kind, const ParameterValues&
   return {};
 }
 
-std::string text_of(const SurfaceSeam& seam) {
+Phrase text_of(const SurfaceSeam& seam) {
   constexpr double kHundredth = 100.0;
-  return length_text(seam.width_m) + " along " + seam.axis + " contain " +
-         number_text(std::round(seam.count * kHundredth) / kHundredth) + ' ' +
-         text_of_parts(seam.part, seam.part_m) +
-         ", and the last one is cut where the surface is repeated: this makes an unintended step; "
-         "choose a width of " +
-         (seam.narrower_m ? length_text(*seam.narrower_m) + " or " : "") +
-         length_text(seam.wider_m) + ", which contains only complete ones";
+  const std::string wider = length_text(seam.wider_m);
+  const Phrase widths =
+      seam.narrower_m ? phrase("Stimuli", "%1 m or %2 m").with(length_text(*seam.narrower_m), wider)
+                      : Phrase("%1 m").with(wider);
+  return phrase(
+             "Stimuli",
+             "%1 m along %2 contain %3 %4, and the last one is cut where the surface is "
+             "repeated: this makes an unintended step; choose a width of %5, which contains only "
+             "complete ones")
+      .with(length_text(seam.width_m), std::string(1, seam.axis),
+            number_text(std::round(seam.count * kHundredth) / kHundredth),
+            text_of_parts(seam.part, seam.part_m), widths);
 }
 
 std::optional<CoarseSamples> coarse_samples_of(std::string_view kind, const ParameterValues& values,
@@ -143,13 +148,15 @@ std::optional<CoarseSamples> coarse_samples_of(std::string_view kind, const Para
       .pixels = std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)};
 }
 
-std::string text_of(const CoarseSamples& coarse) {
+Phrase text_of(const CoarseSamples& coarse) {
   constexpr double kTenth = 10.0;
-  return "spacing_m is " + length_text(coarse.spacing_m) + ", and the samples are " +
-         length_text(coarse.pitch_m) +
-         " apart: " + number_text(std::round(coarse.samples * kTenth) / kTenth) +
-         " per spacing, so that heights and shape differ from those requested; choose " +
-         number_text(coarse.pixels) + " or more samples per side, which gives eight per spacing";
+  return phrase(
+             "Stimuli",
+             "spacing_m is %1 m, and the samples are %2 m apart: %3 per spacing, so that heights "
+             "and shape differ from those requested; choose %4 or more samples per side, which "
+             "gives eight per spacing")
+      .with(length_text(coarse.spacing_m), length_text(coarse.pitch_m),
+            number_text(std::round(coarse.samples * kTenth) / kTenth), number_text(coarse.pixels));
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {
@@ -162,11 +169,11 @@ std::vector<Parameter> canvas_parameters() {
   constexpr double kGreatestSeed = 9007199254740991.0;  // the whole numbers of a double
   const SurfaceCanvas usual{};
   return {number_parameter("width_m", "m", kNarrowest_m, kWidest_m, usual.width_m,
-                           "Side of the square"),
+                           phrase("Stimuli", "Side of the square")),
           integer_parameter("pixels", kFewestPixels, kMostPixels, static_cast<double>(usual.pixels),
-                            "Samples per side"),
+                            phrase("Stimuli", "Samples per side")),
           integer_parameter("seed", 0.0, kGreatestSeed, static_cast<double>(usual.seed),
-                            "Seed of all random numbers")};
+                            phrase("Stimuli", "Seed of all random numbers"))};
 }
 
 SurfaceCanvas canvas_with(const ParameterValues& values) {

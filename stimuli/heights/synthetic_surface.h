@@ -56,8 +56,8 @@ struct SurfaceSeam {
 /// None for a surface without a regular part, and for a kind or values that `make_surface` refuses.
 std::optional<SurfaceSeam> seam_of(std::string_view kind, const ParameterValues& values,
                                    const SurfaceCanvas& canvas);
-/// In English, with the names of the parameters.
-std::string text_of(const SurfaceSeam& seam);
+/// With the names of the parameters.
+Phrase text_of(const SurfaceSeam& seam);
 
 /// A regular spacing (`spacing_m`) with fewer than eight samples, so that the interpolated surface differs from
 /// the requested one: samples that lie symmetrically about a crest of a wave with n samples reach cos(π/n) of the
@@ -71,7 +71,7 @@ struct CoarseSamples {
 /// None as for `seam_of`.
 std::optional<CoarseSamples> coarse_samples_of(std::string_view kind, const ParameterValues& values,
                                                const SurfaceCanvas& canvas);
-/// In English, with the names of the parameters.
-std::string text_of(const CoarseSamples& coarse);
+/// With the names of the parameters.
+Phrase text_of(const CoarseSamples& coarse);
 
 }  // namespace asperity

@@ -43,12 +43,17 @@ class GwyReader final {
       const GwyComponent component = component_at(type_at, next);
       next = end_of(component);
       if (next > end) {
-        file_.refuse(type_at, "the component \"" + shown(name) +
-                                  "\" is longer than its object; copy or export the file again");
+        file_.refuse(type_at,
+                     phrase("Stimuli",
+                            "the component \"%1\" is longer than its object; copy or export "
+                            "the file again")
+                         .with(shown(name)));
       }
       if (!object.components.emplace(name, component).second) {
-        file_.refuse(type_at, "the component \"" + shown(name) +
-                                  "\" occurs twice in its object; export the file again");
+        file_.refuse(type_at, phrase("Stimuli",
+                                     "the component \"%1\" occurs twice in its object; export the "
+                                     "file again")
+                                  .with(shown(name)));
       }
     }
     return object;
@@ -64,8 +69,9 @@ class GwyReader final {
   const GwyComponent& at(const GwyObject& object, std::string_view name, char type) const {
     const GwyComponent* const found = find(object, name, type);
     if (found == nullptr) {
-      file_.refuse(object.at, "the " + shown(object.type) + " has no component " +
-                                  std::string(name) + "; copy or export the file again");
+      file_.refuse(object.at,
+                   phrase("Stimuli", "the %1 has no component %2; copy or export the file again")
+                       .with(shown(object.type), std::string(name)));
     }
     return *found;
   }
@@ -90,8 +96,11 @@ class GwyReader final {
     GwyComponent component{.type = type, .at = type_at + 1, .count = 1};
     if (std::string_view("bciqdso").find(type) != std::string_view::npos) return component;
     if (std::string_view("CIQDSO").find(type) == std::string_view::npos) {
-      file_.refuse(type_at, "the component \"" + shown(file_.text_until_zero(name_at)) +
-                                "\" has an unknown type; copy or export the file again");
+      file_.refuse(type_at,
+                   phrase("Stimuli",
+                          "the component \"%1\" has an unknown type; copy or export the file "
+                          "again")
+                       .with(shown(file_.text_until_zero(name_at))));
     }
     component.count = file_.u32(component.at);
     component.at += 4;
@@ -169,19 +178,22 @@ struct GwyField {
 GwyField field_at(const SurfaceBytes& file, const GwyReader& reader, std::size_t at) {
   GwyField field{.object = reader.object_at(at)};
   if (field.object.type != "GwyDataField") {
-    file.refuse(at, "the object is a " + GwyReader::shown(field.object.type) +
-                        ", not a GwyDataField; copy or export the file again");
+    file.refuse(at, phrase("Stimuli",
+                           "the object is a %1, not a GwyDataField; copy or export the file again")
+                        .with(GwyReader::shown(field.object.type)));
   }
   const GwyComponent& columns = reader.at(field.object, "xres", 'i');
   field.columns = file.u32(columns.at);
   field.rows = file.u32(reader.at(field.object, "yres", 'i').at);
-  const std::string problem = points_problem(field.columns, field.rows);
+  const Phrase problem = points_problem(field.columns, field.rows);
   if (!problem.empty()) file.refuse(columns.at, problem);
   const GwyComponent& data = reader.at(field.object, "data", 'D');
   if (data.count != field.columns * field.rows) {
-    file.refuse(data.at, "there are " + std::to_string(data.count) + " heights for " +
-                             std::to_string(field.columns) + " by " + std::to_string(field.rows) +
-                             " points; copy or export the file again");
+    file.refuse(data.at, phrase("Stimuli",
+                                "there are %1 heights for %2 by %3 points; copy or export the file "
+                                "again")
+                             .with(std::to_string(data.count), std::to_string(field.columns),
+                                   std::to_string(field.rows)));
   }
   field.data_at = data.at;
   return field;
@@ -195,17 +207,26 @@ int chosen_channel(const SurfaceBytes& file, const GwyReader& reader, const GwyO
     const std::optional<int> number = channel_in(key);
     if (number && component.type == 'o') channels.emplace(*number, component.at);
   }
-  std::string found{};
+  Phrase found{};
   for (const auto& [number, at] : channels) {
     const std::string unit = unit_of(reader, reader.object_at(at), "si_unit_z");
     if (wanted ? number == *wanted && unit == "m" : unit == "m") return number;
-    if (found.size() > 400) continue;
-    found += (found.empty() ? "" : ", ") + std::to_string(number) + " in " +
-             (unit.empty() ? "no unit" : unit);
+    if (found.english().size() > 400) continue;
+    const Phrase one = (unit.empty() ? phrase("Stimuli", "%1 in no unit") : Phrase("%1 in %2"))
+                           .with(std::to_string(number), unit);
+    found = found.empty() ? one : Phrase("%1, %2").with(found, one);
   }
-  const std::string which = wanted ? "channel " + std::to_string(*wanted) : std::string("channel");
-  file.refuse(kMagicBytes, "there is no " + which + " with heights in m; the channels are " +
-                               (found.empty() ? "none" : found) + ". Choose a channel of heights");
+  file.refuse(
+      kMagicBytes,
+      (wanted
+           ? phrase("Stimuli",
+                    "there is no channel %2 with heights in m; the channels are %1. Choose a "
+                    "channel of heights")
+           : phrase("Stimuli",
+                    "there is no channel with heights in m; the channels are %1. Choose a channel "
+                    "of heights"))
+          .with(found.empty() ? phrase("Stimuli", "none") : found,
+                wanted ? std::to_string(*wanted) : std::string()));
 }
 
 }  // namespace
@@ -216,16 +237,21 @@ MeasuredSurface decode_gwy(std::span<const std::byte> bytes, const SurfaceReadin
   const GwyReader reader(file);
   const GwyObject container = reader.object_at(kMagicBytes);
   if (container.type != "GwyContainer") {
-    file.refuse(kMagicBytes, "the file has a " + GwyReader::shown(container.type) +
-                                 " in place of a GwyContainer; copy or export it again");
+    file.refuse(kMagicBytes,
+                phrase("Stimuli",
+                       "the file has a %1 in place of a GwyContainer; copy or export it "
+                       "again")
+                    .with(GwyReader::shown(container.type)));
   }
   const int number = chosen_channel(file, reader, container, reading.channel);
   const std::string key = '/' + std::to_string(number);
   const GwyField field = field_at(file, reader, container.components.at(key + "/data").at);
   const std::string lateral = unit_of(reader, field.object, "si_unit_xy");
   if (lateral != "m") {
-    file.refuse(field.object.at, "the lateral unit is \"" + lateral +
-                                     "\", not m; set the physical dimensions in Gwyddion");
+    file.refuse(field.object.at, phrase("Stimuli",
+                                        "the lateral unit is \"%1\", not m; set the physical "
+                                        "dimensions in Gwyddion")
+                                     .with(lateral));
   }
 
   MeasuredSurface surface{.rows = field.rows, .columns = field.columns};
@@ -244,7 +270,8 @@ MeasuredSurface decode_gwy(std::span<const std::byte> bytes, const SurfaceReadin
     const GwyField mask = field_at(file, reader, masked->at);
     if (mask.columns != field.columns || mask.rows != field.rows) {
       file.refuse(masked->at,
-                  "the mask and its channel differ in size; remove the mask in Gwyddion");
+                  phrase("Stimuli",
+                         "the mask and its channel differ in size; remove the mask in Gwyddion"));
     }
     for (std::size_t i = 0; i < surface.heights_m.size(); ++i) {
       if (file.f64(mask.data_at + 8 * i) >= kMasked) {

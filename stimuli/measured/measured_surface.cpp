@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"
@@ -23,10 +24,12 @@ constexpr double kGreatestHeight_m = 1.0;  // of a height field (docs/formats/he
 
 void require_pitch(double pitch_m, const std::string& axis, const std::string& name) {
   if (pitch_m >= kLeastPitch_m && pitch_m <= kGreatestPitch_m) return;
-  throw std::invalid_argument(name + ": the distance between points along " + axis + " is " +
-                              number_text(pitch_m) + " m; from " + number_text(kLeastPitch_m) +
-                              " to " + number_text(kGreatestPitch_m) +
-                              " m are possible. Correct the unit or the distance in the file.");
+  throw PhrasedRefusal(
+      phrase("Stimuli",
+             "%1: the distance between points along %2 is %3 m; from %4 to %5 m are "
+             "possible. Correct the unit or the distance in the file.")
+          .with(name, axis, number_text(pitch_m), number_text(kLeastPitch_m),
+                number_text(kGreatestPitch_m)));
 }
 
 /// Infinite numbers are missing points as well. A surface without a point is refused where its relief is made.
@@ -38,20 +41,23 @@ void check_heights(MeasuredSurface& surface, const std::string& name) {
     if (!std::isfinite(height_m)) {
       height_m = std::numeric_limits<double>::quiet_NaN();
     } else if (std::abs(height_m) > kGreatestHeight_m) {
-      throw std::invalid_argument(
-          name + ": the height of the point " + std::to_string(i % surface.columns + 1) +
-          " of the row " + std::to_string(i / surface.columns + 1) + " is " +
-          number_text(height_m) +
-          " m; from -1 to 1 m are possible. Correct the unit of the heights.");
+      throw PhrasedRefusal(
+          phrase("Stimuli",
+                 "%1: the height of the point %2 of the row %3 is %4 m; from -1 to "
+                 "1 m are possible. Correct the unit of the heights.")
+              .with(name, std::to_string(i % surface.columns + 1),
+                    std::to_string(i / surface.columns + 1), number_text(height_m)));
     } else {
       lowest_m = std::min(lowest_m, height_m);
       highest_m = std::max(highest_m, height_m);
     }
   }
   if (lowest_m == highest_m) {
-    throw std::invalid_argument(name + ": every height is " + number_text(lowest_m) +
-                                " m, so that there is no relief to feel. Export the heights of the "
-                                "surface, not a mask or an empty channel.");
+    throw PhrasedRefusal(
+        phrase("Stimuli",
+               "%1: every height is %2 m, so that there is no relief to feel. "
+               "Export the heights of the surface, not a mask or an empty channel.")
+            .with(name, number_text(lowest_m)));
   }
 }
 
@@ -104,14 +110,16 @@ std::string_view name_of(SurfaceFormat format) noexcept {
   return "";
 }
 
-std::string points_problem(std::uint64_t columns, std::uint64_t rows) {
+Phrase points_problem(std::uint64_t columns, std::uint64_t rows) {
   const bool possible = columns >= 2 && rows >= 2 && columns <= kLargestPictureSide &&
                         rows <= kLargestPictureSide && columns * rows <= kMostSurfacePoints;
   if (possible) return {};
-  return "the surface has " + std::to_string(columns) + " by " + std::to_string(rows) +
-         " points; from 2 to " + std::to_string(kLargestPictureSide) + " per side and at most " +
-         std::to_string(kMostSurfacePoints) +
-         " in total are possible. Crop it or reduce its resolution";
+  return phrase(
+             "Stimuli",
+             "the surface has %1 by %2 points; from 2 to %3 per side and at most %4 in total are "
+             "possible. Crop it or reduce its resolution")
+      .with(std::to_string(columns), std::to_string(rows), std::to_string(kLargestPictureSide),
+            std::to_string(kMostSurfacePoints));
 }
 
 std::optional<SurfaceFormat> surface_format_of(std::span<const std::byte> bytes,

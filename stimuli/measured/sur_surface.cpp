@@ -52,8 +52,11 @@ double unit_in_m(const SurfaceBytes& file, std::size_t at) {
   std::string shown(unit);
   std::replace_if(
       shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  file.refuse(at, "the unit is \"" + shown +
-                      "\"; m, mm, µm, nm and pm are possible. Export a surface of heights");
+  file.refuse(at,
+              phrase("Stimuli",
+                     "the unit is \"%1\"; m, mm, µm, nm and pm are possible. Export a surface of "
+                     "heights")
+                  .with(shown));
 }
 
 /// The bytes of the points: `expected` bytes from `at` on.
@@ -69,12 +72,15 @@ std::vector<std::byte> expanded_points(const SurfaceBytes& file, std::size_t at,
   const std::size_t streams = file.u32(at);
   const std::size_t table = at + 4;
   if (streams > file.size() / 8) {
-    file.refuse(at, "the table of compressed parts has " + std::to_string(streams) +
-                        " rows, more than the file can contain; copy or export it again");
+    file.refuse(at, phrase("Stimuli",
+                           "the table of compressed parts has %1 rows, more than the file can "
+                           "contain; copy or export it again")
+                        .with(std::to_string(streams)));
   }
   if (!can_expand_to(file.size(), expected)) {
     file.refuse(kColumns,
-                "the file is too short for its number of points; copy or export it again");
+                phrase("Stimuli",
+                       "the file is too short for its number of points; copy or export it again"));
   }
   std::vector<std::byte> points(expected);
   std::size_t done = 0;
@@ -84,22 +90,26 @@ std::vector<std::byte> expanded_points(const SurfaceBytes& file, std::size_t at,
     const std::size_t expanded = file.u32(row);
     const std::span<const std::byte> stream = file.part(from, file.u32(row + 4));
     if (expanded > expected - done) {
-      file.refuse(row, "the compressed parts contain more than the points; export it again");
+      file.refuse(
+          row,
+          phrase("Stimuli", "the compressed parts contain more than the points; export it again"));
     }
     uLongf written = expanded;
     const int status = uncompress(reinterpret_cast<Bytef*>(points.data() + done), &written,
                                   reinterpret_cast<const Bytef*>(stream.data()), stream.size());
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK || written != expanded) {
-      file.refuse(from, "the compressed points are damaged; copy or export the file again");
+      file.refuse(from, phrase("Stimuli",
+                               "the compressed points are damaged; copy or export the file again"));
     }
     done += expanded;
     from += stream.size();
   }
   if (done != expected) {
-    file.refuse(at, "the compressed parts have " + std::to_string(done) +
-                        " bytes, and the points take " + std::to_string(expected) +
-                        "; export the file again");
+    file.refuse(at, phrase("Stimuli",
+                           "the compressed parts have %1 bytes, and the points take %2; export the "
+                           "file again")
+                        .with(std::to_string(done), std::to_string(expected)));
   }
   return points;
 }
@@ -110,24 +120,30 @@ MeasuredSurface decode_sur(std::span<const std::byte> bytes, const std::string& 
   const SurfaceBytes file(bytes, name);
   file.part(0, kHeaderBytes);
   if (file.u16(kByteOrder) != 0) {
-    file.refuse(kByteOrder, "the byte order is not little-endian; export it for PCs");
+    file.refuse(kByteOrder,
+                phrase("Stimuli", "the byte order is not little-endian; export it for PCs"));
   }
   const int type = file.i16(kObjectType);
   if (type != kSurface && type != kProfile) {
-    file.refuse(kObjectType, "the object has the type " + std::to_string(type) +
-                                 ", and only type 2, a surface, is supported; export a surface");
+    file.refuse(kObjectType, phrase("Stimuli",
+                                    "the object has the type %1, and only type 2, a surface, is "
+                                    "supported; export a surface")
+                                 .with(std::to_string(type)));
   }
   const int bits = file.i16(kBitsPerPoint);
   if (bits != 16 && bits != 32) {
     file.refuse(kBitsPerPoint,
-                "the points have " + std::to_string(bits) + " bits, not 16 or 32; export it again");
+                phrase("Stimuli", "the points have %1 bits, not 16 or 32; export it again")
+                    .with(std::to_string(bits)));
   }
-  const std::string problem = points_problem(file.u32(kColumns), file.u32(kRows));
+  const Phrase problem = points_problem(file.u32(kColumns), file.u32(kRows));
   if (!problem.empty()) file.refuse(kColumns, problem);
   if (file.i16(kInversion) != 0) {
-    file.refuse(kInversion,
-                "the heights are marked as inverted, which programs interpret differently; save "
-                "the surface without inversion");
+    file.refuse(
+        kInversion,
+        phrase("Stimuli",
+               "the heights are marked as inverted, which programs interpret differently; save "
+               "the surface without inversion"));
   }
 
   MeasuredSurface surface{.rows = file.u32(kRows), .columns = file.u32(kColumns)};
@@ -138,11 +154,13 @@ MeasuredSurface decode_sur(std::span<const std::byte> bytes, const std::string& 
   const double step_m = file.f32(kSpacings + 8) * height_unit_m;
   const double offset_m = file.f32(kHeightOffset) * height_unit_m;
   if (!std::isfinite(step_m) || step_m == 0.0) {
-    file.refuse(kSpacings + 8,
-                "the height of a step is not a number other than 0; export it again");
+    file.refuse(
+        kSpacings + 8,
+        phrase("Stimuli", "the height of a step is not a number other than 0; export it again"));
   }
   if (!std::isfinite(offset_m)) {
-    file.refuse(kHeightOffset, "the offset of the heights is not a number; export it again");
+    file.refuse(kHeightOffset,
+                phrase("Stimuli", "the offset of the heights is not a number; export it again"));
   }
 
   const std::size_t count = surface.rows * surface.columns;

@@ -1,14 +1,15 @@
 // Implements the reading of numbers from the bytes of a file.
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 
 namespace asperity {
 
-void SurfaceBytes::refuse(std::size_t at, const std::string& problem) const {
-  throw std::invalid_argument(name_ + ": byte " + std::to_string(at) + ": " + problem);
+void SurfaceBytes::refuse(std::size_t at, const Phrase& problem) const {
+  throw PhrasedRefusal(
+      phrase("Stimuli", "%1: byte %2: %3").with(name_, std::to_string(at), problem));
 }
 
 bool SurfaceBytes::begins_with(std::string_view text) const noexcept {
@@ -19,9 +20,10 @@ bool SurfaceBytes::begins_with(std::string_view text) const noexcept {
 
 std::span<const std::byte> SurfaceBytes::part(std::size_t at, std::size_t count) const {
   if (at > bytes_.size() || count > bytes_.size() - at) {
-    refuse(at, "the file ends " + std::to_string(bytes_.size()) +
-                   " bytes after its beginning, before the " + std::to_string(count) +
-                   " bytes that follow here; copy or export it again");
+    refuse(at, phrase("Stimuli",
+                      "the file ends %1 bytes after its beginning, before the %2 bytes that follow "
+                      "here; copy or export it again")
+                   .with(std::to_string(bytes_.size()), std::to_string(count)));
   }
   return bytes_.subspan(at, count);
 }
@@ -35,7 +37,8 @@ std::string_view SurfaceBytes::text_until_zero(std::size_t at) const {
   const std::string_view rest = text(std::min(at, size()), size() - std::min(at, size()));
   const std::size_t end = rest.find('\0');
   if (end == std::string_view::npos) {
-    refuse(at, "the file ends within the text that begins here; copy or export it again");
+    refuse(at, phrase("Stimuli",
+                      "the file ends within the text that begins here; copy or export it again"));
   }
   return rest.substr(0, end);
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
 #include "stimuli/measured/measured_surface.h"
 
 namespace asperity {
@@ -21,7 +22,7 @@ class SurfaceBytes final {
   SurfaceBytes(std::span<const std::byte> bytes, const std::string& name)
       : bytes_(bytes), name_(name) {}
 
-  [[noreturn]] void refuse(std::size_t at, const std::string& problem) const;
+  [[noreturn]] void refuse(std::size_t at, const Phrase& problem) const;
 
   std::size_t size() const noexcept { return bytes_.size(); }
   bool begins_with(std::string_view text) const noexcept;
@@ -45,7 +46,7 @@ class SurfaceBytes final {
 };
 
 /// Why a surface cannot have so many points, as the problem of a refusal; empty if it can.
-std::string points_problem(std::uint64_t columns, std::uint64_t rows);
+Phrase points_problem(std::uint64_t columns, std::uint64_t rows);
 
 /// Whether `stored` bytes of compressed data can contain `expanded` bytes: no supported compression exceeds a ratio of 2000.
 constexpr bool can_expand_to(std::uint64_t stored, std::uint64_t expanded) noexcept {

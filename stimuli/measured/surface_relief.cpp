@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 
 namespace asperity {
@@ -72,9 +72,10 @@ FittedForm fitted_form(MeasuredSurface& surface, SurfaceForm form, std::size_t m
   });
   const double determinant = xx * yy - xy * xy;
   if (!(determinant > 1e-9 * xx * yy)) {
-    throw std::invalid_argument(name +
-                                ": the measured points lie on a line and determine no plane. "
-                                "Measure the surface again, or use --form mean.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "%1: the measured points lie on a line and determine no plane. "
+                                "Measure the surface again, or use --form mean.")
+                             .with(name));
   }
   fitted.slope_x = (xh * yy - yh * xy) / determinant;
   fitted.slope_y = (yh * xx - xh * xy) / determinant;
@@ -120,10 +121,10 @@ HeightField resampled(const MeasuredSurface& surface, std::vector<float> heights
   const double pitch_m = std::min(surface.pitch_x_m, surface.pitch_y_m);
   const std::uint64_t columns = samples_between(surface.columns, surface.pitch_x_m, pitch_m);
   const std::uint64_t rows = samples_between(surface.rows, surface.pitch_y_m, pitch_m);
-  const std::string problem = points_problem(columns, rows);
+  const Phrase problem = points_problem(columns, rows);
   if (!problem.empty()) {
-    throw std::invalid_argument(name + ": resampled at the smaller of its two distances, " +
-                                problem + '.');
+    throw PhrasedRefusal(phrase("Stimuli", "%1: resampled at the smaller of its two distances, %2.")
+                             .with(name, problem));
   }
   // In this field the unit of length is the distance of two samples, along both axes.
   const HeightField stored({.rows = surface.rows, .columns = surface.columns, .pitch_m = 1.0},
@@ -159,10 +160,11 @@ SurfaceRelief surface_relief(MeasuredSurface surface, SurfaceForm form, const st
   }
   const std::size_t measured = heights_m.size() - holes.size();
   if (2 * measured < heights_m.size()) {
-    throw std::invalid_argument(name + ": only " + std::to_string(measured) + " of " +
-                                std::to_string(heights_m.size()) +
-                                " points are measured; at least half are necessary. Measure the "
-                                "surface again, or crop it.");
+    throw PhrasedRefusal(
+        phrase("Stimuli",
+               "%1: only %2 of %3 points are measured; at least half are "
+               "necessary. Measure the surface again, or crop it.")
+            .with(name, std::to_string(measured), std::to_string(heights_m.size())));
   }
   const FittedForm fitted = fitted_form(surface, form, measured, name);
   double squares = 0.0;

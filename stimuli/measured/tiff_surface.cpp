@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"
@@ -13,8 +14,8 @@ namespace asperity {
 
 MeasuredSurface decode_tiff_surface(std::span<const std::byte> bytes, const SurfaceReading& reading,
                                     const std::string& name) {
-  const auto refuse = [&name](const std::string& sentence) {
-    throw std::invalid_argument(name + ": " + sentence);
+  const auto refuse = [&name](const Phrase& sentence) {
+    throw PhrasedRefusal(Phrase("%1: %2").with(name, sentence));
   };
   if (!reading.width_m || !reading.height_unit_m) {
     refuse(
@@ -30,8 +31,8 @@ MeasuredSurface decode_tiff_surface(std::span<const std::byte> bytes, const Surf
            " m; give --height-unit-m in metres, other than 0.");
   }
   const PictureFacts facts = inspect_float_tiff(bytes, name);
-  const std::string problem = points_problem(facts.columns, facts.rows);
-  if (!problem.empty()) refuse(problem + '.');
+  const Phrase problem = points_problem(facts.columns, facts.rows);
+  if (!problem.empty()) refuse(Phrase("%1.").with(problem));
   if (!can_expand_to(bytes.size(), facts.rows * facts.columns * sizeof(float))) {
     refuse("the file is too short for its number of points; copy or export it again.");
   }

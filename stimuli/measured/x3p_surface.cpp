@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 #include "stimuli/measured/xml_element.h"
 #include "stimuli/measured/zip_archive.h"
@@ -25,12 +25,14 @@ class X3pDescription final {
     // Some programs write the name of the series of standards without its part.
     const std::string_view root = local_name(root_.name);
     if (root != "ISO5436_2" && root != "ISO5436") {
-      refuse(root_, "the root element is " + root_.name +
-                        ", not ISO5436_2 of an X3P file; choose an X3P file");
+      refuse(root_,
+             phrase("Stimuli",
+                    "the root element is %1, not ISO5436_2 of an X3P file; choose an X3P file")
+                 .with(root_.name));
     }
   }
 
-  [[noreturn]] void refuse(const XmlElement& element, const std::string& problem) const {
+  [[noreturn]] void refuse(const XmlElement& element, const Phrase& problem) const {
     refuse_xml_line(name_, element.line, problem);
   }
 
@@ -49,8 +51,9 @@ class X3pDescription final {
     for (const std::string_view name : path) {
       const XmlElement* const next = only_child(*element, name, name_);
       if (next == nullptr) {
-        refuse(*element, "the element " + element->name + " has no element " + std::string(name) +
-                             "; export the surface again");
+        refuse(*element,
+               phrase("Stimuli", "the element %1 has no element %2; export the surface again")
+                   .with(element->name, std::string(name)));
       }
       element = next;
     }
@@ -71,19 +74,22 @@ class X3pDescription final {
     const double value = number(path);
     constexpr double kGreatest = 4294967295.0;
     if (value < 0.0 || value > kGreatest || value != std::floor(value)) {
-      refuse(at(path), "the element " + at(path).name + " has \"" + at(path).text +
-                           "\", which is not a number of points; export the surface again");
+      refuse(at(path), phrase("Stimuli",
+                              "the element %1 has \"%2\", which is not a number of points; export "
+                              "the surface again")
+                           .with(at(path).name, at(path).text));
     }
     return static_cast<std::uint64_t>(value);
   }
 
   void require(std::initializer_list<std::string_view> path, std::string_view wanted,
-               const std::string& meaning) const {
+               const Phrase& meaning) const {
     const XmlElement& element = at(path);
     if (element.text == wanted) return;
-    refuse(element, "the element " + element.name + " has \"" + element.text + "\", and only \"" +
-                        std::string(wanted) + "\", " + meaning +
-                        ", is supported; export a surface with a regular grid");
+    refuse(element, phrase("Stimuli",
+                           "the element %1 has \"%2\", and only \"%3\", %4, is supported; export a "
+                           "surface with a regular grid")
+                        .with(element.name, element.text, std::string(wanted), meaning));
   }
 
  private:
@@ -101,12 +107,15 @@ std::string folder_of_main(const ZipArchive& archive, const std::string& name) {
     }
   }
   if (folders.size() > 1) {
-    throw std::invalid_argument(name + ": there is a main.xml in " + folders[0] + " and in " +
-                                folders[1] + "; export one surface per file");
+    throw PhrasedRefusal(
+        phrase("Stimuli", "%1: there is a main.xml in %2 and in %3; export one surface per file")
+            .with(name, folders[0], folders[1]));
   }
   if (folders.size() == 1) return folders.front();
-  throw std::invalid_argument(
-      name + " is a zip archive without main.xml, not an X3P file. Choose an X3P file.");
+  throw PhrasedRefusal(
+      phrase("Stimuli",
+             "%1 is a zip archive without main.xml, not an X3P file. Choose an X3P file.")
+          .with(name));
 }
 
 std::size_t bytes_per_point(const X3pDescription& description) {
@@ -114,8 +123,10 @@ std::size_t bytes_per_point(const X3pDescription& description) {
   if (type.text == "I") return 2;
   if (type.text == "L" || type.text == "F") return 4;
   if (type.text == "D") return 8;
-  description.refuse(type, "the heights have the data type \"" + type.text +
-                               "\"; I, L, F and D are possible; export the surface again");
+  description.refuse(type, phrase("Stimuli",
+                                  "the heights have the data type \"%1\"; I, L, F and D are "
+                                  "possible; export the surface again")
+                               .with(type.text));
 }
 
 /// An entry that must have `expected` bytes.
@@ -125,13 +136,18 @@ std::vector<std::byte> matrix(const ZipArchive& archive, const std::string& fold
   const std::string path = folder + link.text;
   const std::optional<std::size_t> bytes = archive.bytes_of(path);
   if (!bytes) {
-    description.refuse(link, "the archive has no entry \"" + path +
-                                 "\", which is named here; copy or export the file again");
+    description.refuse(
+        link,
+        phrase(
+            "Stimuli",
+            "the archive has no entry \"%1\", which is named here; copy or export the file again")
+            .with(path));
   }
   if (*bytes != expected) {
-    description.refuse(link, "the entry " + path + " has " + std::to_string(*bytes) +
-                                 " bytes, and the points of the surface take " +
-                                 std::to_string(expected) + "; export the file again");
+    description.refuse(link, phrase("Stimuli",
+                                    "the entry %1 has %2 bytes, and the points of the surface take "
+                                    "%3; export the file again")
+                                 .with(path, std::to_string(*bytes), std::to_string(expected)));
   }
   return archive.content(path, expected);
 }
@@ -144,22 +160,27 @@ MeasuredSurface decode_x3p(std::span<const std::byte> bytes, const std::string& 
   const std::vector<std::byte> main = archive.content(folder + std::string(kMain), kMostMainBytes);
   const X3pDescription description(SurfaceBytes(main, name).text(0, main.size()),
                                    name + ": " + folder + std::string(kMain));
-  description.require({"Record1", "FeatureType"}, "SUR", "a surface");
-  description.require({"Record1", "Axes", "CX", "AxisType"}, "I", "equal distances");
-  description.require({"Record1", "Axes", "CY", "AxisType"}, "I", "equal distances");
-  description.require({"Record1", "Axes", "CZ", "AxisType"}, "A", "absolute heights");
+  description.require({"Record1", "FeatureType"}, "SUR", phrase("Stimuli", "a surface"));
+  description.require({"Record1", "Axes", "CX", "AxisType"}, "I",
+                      phrase("Stimuli", "equal distances"));
+  description.require({"Record1", "Axes", "CY", "AxisType"}, "I",
+                      phrase("Stimuli", "equal distances"));
+  description.require({"Record1", "Axes", "CZ", "AxisType"}, "A",
+                      phrase("Stimuli", "absolute heights"));
   const std::uint64_t columns = description.count({"Record3", "MatrixDimension", "SizeX"});
   const std::uint64_t rows = description.count({"Record3", "MatrixDimension", "SizeY"});
   const XmlElement& dimensions = description.at({"Record3", "MatrixDimension"});
-  const std::string problem = points_problem(columns, rows);
+  const Phrase problem = points_problem(columns, rows);
   if (!problem.empty()) description.refuse(dimensions, problem);
   if (description.count({"Record3", "MatrixDimension", "SizeZ"}) != 1) {
-    description.refuse(dimensions, "there are several layers; export one surface");
+    description.refuse(dimensions,
+                       phrase("Stimuli", "there are several layers; export one surface"));
   }
   if (const XmlElement* const list = description.find({"Record3", "DataList"})) {
-    description.refuse(*list,
-                       "the heights are a list of texts, which is not supported; export them "
-                       "as a binary matrix");
+    description.refuse(
+        *list, phrase("Stimuli",
+                      "the heights are a list of texts, which is not supported; export them "
+                      "as a binary matrix"));
   }
 
   MeasuredSurface surface{.rows = rows, .columns = columns};
@@ -167,9 +188,11 @@ MeasuredSurface decode_x3p(std::span<const std::byte> bytes, const std::string& 
   surface.pitch_y_m = std::abs(description.number({"Record1", "Axes", "CY", "Increment"}));
   const double step_m = description.number_or({"Record1", "Axes", "CZ", "Increment"}, 1.0);
   if (step_m == 0.0) {
-    description.refuse(description.at({"Record1", "Axes", "CZ", "Increment"}),
-                       "the increment of the heights is 0, so that the surface is flat; correct "
-                       "it, or export the surface again");
+    description.refuse(
+        description.at({"Record1", "Axes", "CZ", "Increment"}),
+        phrase("Stimuli",
+               "the increment of the heights is 0, so that the surface is flat; correct "
+               "it, or export the surface again"));
   }
   const double offset_m = description.number_or({"Record1", "Axes", "CZ", "Offset"}, 0.0);
   const std::string type = description.at({"Record1", "Axes", "CZ", "DataType"}).text;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 
 #include "analysis/numbers/look_alikes.h"
+#include "analysis/words/phrased_error.h"
 
 namespace asperity {
 namespace {
@@ -23,16 +23,17 @@ class XmlReader final {
   XmlElement root() {
     skip_to_element();
     if (!rest_.starts_with('<')) {
-      refuse_here("the file is not XML; choose another file");
+      refuse_here(phrase("Stimuli", "the file is not XML; choose another file"));
     }
     XmlElement element = read_element(0);
     skip_to_element();
-    if (!rest_.empty()) refuse_here("there is text after the root element; copy the file again");
+    if (!rest_.empty())
+      refuse_here(phrase("Stimuli", "there is text after the root element; copy the file again"));
     return element;
   }
 
  private:
-  [[noreturn]] void refuse_here(const std::string& problem) const {
+  [[noreturn]] void refuse_here(const Phrase& problem) const {
     refuse_xml_line(name_, line_, problem);
   }
 
@@ -47,7 +48,8 @@ class XmlReader final {
   std::string_view take_until(std::string_view mark) {
     const std::size_t at = rest_.find(mark);
     if (at == std::string_view::npos) {
-      refuse_here("the file ends before \"" + std::string(mark) + "\"; copy the file again");
+      refuse_here(phrase("Stimuli", "the file ends before \"%1\"; copy the file again")
+                      .with(std::string(mark)));
     }
     const std::string_view taken = take(at);
     take(mark.size());
@@ -73,26 +75,31 @@ class XmlReader final {
   }
 
   XmlElement read_element(std::size_t depth) {
-    if (depth > kDeepest) refuse_here("the elements are nested too deeply; choose another file");
+    if (depth > kDeepest)
+      refuse_here(phrase("Stimuli", "the elements are nested too deeply; choose another file"));
     XmlElement element{.line = line_};
     take(1);
     if (rest_.starts_with('!')) {
-      refuse_here("document types and CDATA are not read; save the file without them");
+      refuse_here(
+          phrase("Stimuli", "document types and CDATA are not read; save the file without them"));
     }
     std::string_view mark = take_until(">");
     const bool is_empty = mark.ends_with('/');
     if (is_empty) mark.remove_suffix(1);
     element.name = std::string(mark.substr(0, mark.find_first_of(kSpaces)));
     if (element.name.empty() || element.name.front() == '/') {
-      refuse_here("there is a mark \"<" + std::string(mark) +
-                  ">\" where an element should begin; copy the file again");
+      refuse_here(
+          phrase("Stimuli",
+                 "there is a mark \"<%1>\" where an element should begin; copy the file again")
+              .with(std::string(mark)));
     }
     if (is_empty) return element;
     while (true) {
       element.text += take(std::min(rest_.find('<'), rest_.size()));
       if (rest_.empty()) {
-        refuse_here("the element " + element.name + " of line " + std::to_string(element.line) +
-                    " is not closed; copy the file again");
+        refuse_here(
+            phrase("Stimuli", "the element %1 of line %2 is not closed; copy the file again")
+                .with(element.name, std::to_string(element.line)));
       }
       if (rest_.starts_with("</")) break;
       if (!skip_note()) element.children.push_back(read_element(depth + 1));
@@ -101,8 +108,9 @@ class XmlReader final {
     std::string_view closed = take_until(">");
     closed = closed.substr(0, closed.find_first_of(kSpaces));
     if (closed != element.name) {
-      refuse_here("the element " + element.name + " of line " + std::to_string(element.line) +
-                  " is closed as " + std::string(closed) + "; copy the file again");
+      refuse_here(
+          phrase("Stimuli", "the element %1 of line %2 is closed as %3; copy the file again")
+              .with(element.name, std::to_string(element.line), std::string(closed)));
     }
     const std::size_t first = element.text.find_first_not_of(kSpaces);
     element.text =
@@ -131,9 +139,10 @@ const XmlElement* only_child(const XmlElement& parent, std::string_view child_na
     if (local_name(each.name) != child_name) continue;
     if (found != nullptr) {
       refuse_xml_line(name, each.line,
-                      "the element " + parent.name + " has a second " + each.name +
-                          ", after that of line " + std::to_string(found->line) +
-                          "; keep the one that is meant, or export the file again");
+                      phrase("Stimuli",
+                             "the element %1 has a second %2, after that of line %3; keep the one "
+                             "that is meant, or export the file again")
+                          .with(parent.name, each.name, std::to_string(found->line)));
     }
     found = &each;
   }
@@ -149,15 +158,17 @@ double number_in_element(const XmlElement& element, const std::string& name) {
   const char* const end = element.text.data() + element.text.size();
   const auto read = std::from_chars(element.text.data(), end, number);
   if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) {
-    refuse_xml_line(name, element.line,
-                    "the element " + element.name + " has \"" + element.text +
-                        "\", which is not a finite number; copy the file again");
+    refuse_xml_line(
+        name, element.line,
+        phrase("Stimuli",
+               "the element %1 has \"%2\", which is not a finite number; copy the file again")
+            .with(element.name, element.text));
   }
   return number;
 }
 
-void refuse_xml_line(const std::string& name, std::size_t line, const std::string& problem) {
-  throw std::invalid_argument(name + ':' + std::to_string(line) + ": " + problem);
+void refuse_xml_line(const std::string& name, std::size_t line, const Phrase& problem) {
+  throw PhrasedRefusal(Phrase("%1:%2: %3").with(name, std::to_string(line), problem));
 }
 
 }  // namespace asperity

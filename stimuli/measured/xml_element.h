@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 /// An element with its text and the elements within it; attributes, comments and processing instructions are left out.
@@ -39,7 +41,6 @@ XmlElement xml_root_in(std::string_view xml, const std::string& name);
 double number_in_element(const XmlElement& element, const std::string& name);
 
 /// Throws std::invalid_argument: "NAME:LINE: PROBLEM".
-[[noreturn]] void refuse_xml_line(const std::string& name, std::size_t line,
-                                  const std::string& problem);
+[[noreturn]] void refuse_xml_line(const std::string& name, std::size_t line, const Phrase& problem);
 
 }  // namespace asperity

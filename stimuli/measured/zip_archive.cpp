@@ -4,10 +4,10 @@
 
 #include <new>
 #include <set>
-#include <stdexcept>
 
 #include <zip.h>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/measured/surface_decoding.h"
 
 namespace asperity {
@@ -23,8 +23,8 @@ void refuse_memory(zip_error_t* error) {
 
 void ZipArchive::Close::operator()(zip* archive) const noexcept { zip_discard(archive); }
 
-void ZipArchive::refuse(const std::string& sentence) const {
-  throw std::invalid_argument(name_ + ": " + sentence);
+void ZipArchive::refuse(const Phrase& sentence) const {
+  throw PhrasedRefusal(Phrase("%1: %2").with(name_, sentence));
 }
 
 ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name)
@@ -38,16 +38,19 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name
   zip_error_fini(&error);
   if (has_no_memory) throw std::bad_alloc();
   if (archive_ == nullptr) {
-    refuse(
-        "the directory of the zip archive cannot be read: the file is incomplete or damaged; copy "
-        "or export it again");
+    refuse(phrase(
+        "Stimuli",
+        "the directory of the zip archive cannot be read: the file is incomplete or damaged; "
+        "copy or export it again"));
   }
   std::set<std::string> known{};
   for (std::string& path : paths()) {
     const auto [at, is_new] = known.insert(std::move(path));
     if (!is_new) {
-      refuse("the archive has the entry " + *at +
-             " twice, and which one is meant is unknown; export the file again");
+      refuse(phrase("Stimuli",
+                    "the archive has the entry %1 twice, and which one is meant is unknown; export "
+                    "the file again")
+                 .with(*at));
     }
   }
 }
@@ -75,28 +78,34 @@ std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t 
   zip_stat_t stat{};
   constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD;
   if (zip_stat(archive_.get(), path.c_str(), 0, &stat) != 0 || (stat.valid & kNeeded) != kNeeded) {
-    refuse("the archive has no entry " + path + "; copy or export the file again");
+    refuse(
+        phrase("Stimuli", "the archive has no entry %1; copy or export the file again").with(path));
   }
   if (stat.size > most) {
-    refuse("the entry " + path + " has " + std::to_string(stat.size) + " bytes; at most " +
-           std::to_string(most) + " are possible; export the file again");
+    refuse(phrase("Stimuli",
+                  "the entry %1 has %2 bytes; at most %3 are possible; export the file again")
+               .with(path, std::to_string(stat.size), std::to_string(most)));
   }
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
-    refuse("the entry " + path +
-           " is compressed by another method than deflate, the only one of X3P; export the file "
-           "again");
+    refuse(phrase("Stimuli",
+                  "the entry %1 is compressed by another method than deflate, the only one of X3P; "
+                  "export the file again")
+               .with(path));
   }
   if (!can_expand_to(bytes_.size(), stat.size)) {
-    refuse("the entry " + path +
-           " states more bytes than the archive can contain; copy or export "
-           "the file again");
+    refuse(phrase("Stimuli",
+                  "the entry %1 states more bytes than the archive can contain; copy or export the "
+                  "file again")
+               .with(path));
   }
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
       zip_fopen(archive_.get(), path.c_str(), 0), &zip_fclose);
   if (file == nullptr) {
     refuse_memory(zip_get_error(archive_.get()));
-    refuse("the entry " + path +
-           " cannot be opened: the archive is damaged or encrypted; copy or export the file again");
+    refuse(phrase("Stimuli",
+                  "the entry %1 cannot be opened: the archive is damaged or encrypted; copy or "
+                  "export the file again")
+               .with(path));
   }
   std::vector<std::byte> content(stat.size);
   std::size_t done = 0;
@@ -110,7 +119,7 @@ std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t 
   if (read >= 0) read = zip_fread(file.get(), &beyond, 1);
   if (done != content.size() || read != 0) {
     refuse_memory(zip_file_get_error(file.get()));
-    refuse("the entry " + path + " is damaged; copy or export the file again");
+    refuse(phrase("Stimuli", "the entry %1 is damaged; copy or export the file again").with(path));
   }
   return content;
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
+
 struct zip;
 
 namespace asperity {
@@ -36,7 +38,7 @@ class ZipArchive final {
   struct Close {
     void operator()(zip* archive) const noexcept;
   };
-  [[noreturn]] void refuse(const std::string& sentence) const;
+  [[noreturn]] void refuse(const Phrase& sentence) const;
 
   std::span<const std::byte> bytes_;
   const std::string& name_;

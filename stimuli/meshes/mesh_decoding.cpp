@@ -83,7 +83,7 @@ void MeshText::refuse(const std::string& sentence, const std::string& remedy) co
   const std::optional<LookAlike> other = first_look_alike(sentence);
   throw std::invalid_argument(
       name_ + ':' + std::to_string(number_) + ": " + readable + ' ' +
-      (other ? "There is " + std::string(other->name) + "; " + std::string(other->remedy) + '.'
+      (other ? "There is " + other->character.english() + "; " + other->correction.english() + '.'
              : remedy));
 }
 

@@ -19,6 +19,7 @@
 #include <zstd_errors.h>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 
 namespace asperity {
 
@@ -40,7 +41,6 @@ constexpr std::size_t kMostUnpacked = std::size_t{1} << 15;
 // precision, and cubes of lengths must stay within its range.
 constexpr double kFurthest_m = 20.0;
 constexpr double kLargestTexel = 32767.0;
-constexpr const char* kRemedy = "Make the mesh again with asperity bake.";
 
 std::string sha256_of(std::initializer_list<std::string_view> parts) {
   EVP_MD_CTX* context = EVP_MD_CTX_new();
@@ -95,18 +95,20 @@ class Reader final {
     const auto format = json_.is_object() ? json_.find("format") : json_.end();
     if (!json_.is_object() || format == json_.end() || !format->is_string() ||
         !format->get_ref<const std::string&>().starts_with("asperity.textured_mesh/")) {
-      refuse("is not a textured mesh of Asperity.");
+      refuse_file(phrase("Stimuli", "%1 is not a textured mesh of Asperity."));
     }
     if (*format != kMeshFormat) {
-      refuse("is in the format " + format->get<std::string>() + "; this program reads " +
-             kMeshFormat + ".");
+      refuse_file(phrase("Stimuli", "%1 is in the format %2; this program reads %3."),
+                  format->get<std::string>(), kMeshFormat);
     }
     const std::string_view rest = bytes.substr(end + 1);
-    if (rest.size() < kDigest_bytes + 1 || rest[kDigest_bytes] != '\n') refuse("is truncated.");
+    if (rest.size() < kDigest_bytes + 1 || rest[kDigest_bytes] != '\n')
+      refuse_file(phrase("Stimuli", "%1 is truncated."));
     payload_ = rest.substr(kDigest_bytes + 1);
     check_length();
     if (sha256_of({header, payload_}) != rest.substr(0, kDigest_bytes)) {
-      refuse("is damaged: its SHA-256 differs from the one stored in it.");
+      refuse_file(
+          phrase("Stimuli", "%1 is damaged: its SHA-256 differs from the one stored in it."));
     }
   }
 
@@ -142,8 +144,16 @@ class Reader final {
   }
 
  private:
+  /// %1 of the sentence is the name of the file.
+  template <class... Values>
+  [[noreturn]] void refuse_file(const Phrase& sentence, const Values&... values) const {
+    throw PhrasedRefusal(
+        Phrase("%1 %2").with(sentence.with(name_, values...),
+                             phrase("Stimuli", "Make the mesh again with asperity bake.")));
+  }
+  /// Of a content that no version of the program writes: English in every language.
   [[noreturn]] void refuse(const std::string& sentence) const {
-    throw std::invalid_argument(name_ + ' ' + sentence + ' ' + kRemedy);
+    refuse_file(Phrase("%1 %2"), sentence);
   }
 
   const Json& array(std::size_t which) const {

@@ -19,23 +19,26 @@ constexpr double kDirected = 0.3;
 
 std::string in_hundredths(double number) { return number_text(std::round(100.0 * number) / 100.0); }
 
-std::string about_direction(const PhotographEvidence& evidence) {
-  return "The brightness varies mostly along " + number_text(direction_deg(evidence)) +
-         "° from +x. Either the surface has a grain at right angles to this direction, or the "
-         "light came from one side along this direction. In the second case the brightness "
-         "represents slopes towards the light: use shape from shading, or take the picture again "
-         "in even light from all sides. ";
+Phrase about_direction(const PhotographEvidence& evidence) {
+  return phrase("Stimuli",
+                "The brightness varies mostly along %1° from +x. Either the surface has a grain at "
+                "right angles to this direction, or the light came from one side along this "
+                "direction. In the second case the brightness represents slopes towards the light: "
+                "use shape from shading, or take the picture again in even light from all sides.")
+      .with(number_text(direction_deg(evidence)));
 }
 
 /// The correct sign in each case, whichever is set.
-std::string about_skewness(double skewness) {
+Phrase about_skewness(double skewness) {
   if (skewness < -kSkewed) {
-    return "The picture has narrow dark parts on brighter ground. If they are dark because they "
-           "lie low (grooves, pits), bright is high: the correct sign is 1. ";
+    return phrase("Stimuli",
+                  "The picture has narrow dark parts on brighter ground. If they are dark because "
+                  "they lie low (grooves, pits), bright is high: the correct sign is 1.");
   }
-  return "The picture has narrow bright parts on darker ground. If they stand out (grains, "
-         "fibres), bright is high: the correct sign is 1; if they lie low (light mortar between "
-         "bricks), it is -1. ";
+  return phrase("Stimuli",
+                "The picture has narrow bright parts on darker ground. If they stand out (grains, "
+                "fibres), bright is high: the correct sign is 1; if they lie low (light mortar "
+                "between bricks), it is -1.");
 }
 
 }  // namespace
@@ -152,19 +155,26 @@ std::string contradiction_text(SignContradiction contradiction,
          ". Inspect the surface, and use --sign -1 if they lie low, as light mortar does.";
 }
 
-std::string advice(const PhotographEvidence& evidence) {
-  std::string words;
-  if (evidence.anisotropy > kDirected) words += about_direction(evidence);
-  if (std::abs(evidence.skewness) > kSkewed) words += about_skewness(evidence.skewness);
-  if (words.empty()) {
-    words =
-        "The picture does not show whether its brightness follows height; stains and paint look "
-        "the same. Compare the relief with the surface itself before using it. ";
+Phrase advice(const PhotographEvidence& evidence) {
+  const bool is_directed = evidence.anisotropy > kDirected;
+  const bool is_skewed = std::abs(evidence.skewness) > kSkewed;
+  Phrase resemblance = phrase("Stimuli",
+                              "The picture does not show whether its brightness follows height; "
+                              "stains and paint look the same. Compare the relief with the surface "
+                              "itself before using it.");
+  if (is_directed && is_skewed) {
+    resemblance =
+        Phrase("%1 %2").with(about_direction(evidence), about_skewness(evidence.skewness));
+  } else if (is_directed) {
+    resemblance = about_direction(evidence);
+  } else if (is_skewed) {
+    resemblance = about_skewness(evidence.skewness);
   }
-  return words + "(Skewness " + in_hundredths(evidence.skewness) + ", anisotropy " +
-         in_hundredths(evidence.anisotropy) +
-         ".) One photograph cannot show whether dark areas are low, shaded or painted: look at the "
-         "surface.";
+  return phrase(
+             "Stimuli",
+             "%1 (Skewness %2, anisotropy %3.) One photograph cannot show whether dark areas are "
+             "low, shaded or painted: look at the surface.")
+      .with(resemblance, in_hundredths(evidence.skewness), in_hundredths(evidence.anisotropy));
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
@@ -80,6 +81,6 @@ std::string contradiction_text(SignContradiction contradiction, const Photograph
 
 /// Advice for the photographer, in sentences: which case the photograph resembles, the statistics, which sign is correct in
 /// which case, and what a single photograph cannot determine.
-std::string advice(const PhotographEvidence& evidence);
+Phrase advice(const PhotographEvidence& evidence);
 
 }  // namespace asperity

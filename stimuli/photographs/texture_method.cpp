@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/photographs/shape_from_shading.h"
 #include "stimuli/photographs/texture_steps.h"
 
@@ -22,7 +23,8 @@ LightDirection light_of(const TextureRecipe& recipe) {
 std::vector<TextureMethod> make_methods() {
   return {
       {.id = kPublishedMethod,
-       .summary = "brightness as height, after a homomorphic filter; the published method",
+       .summary = phrase("Stimuli",
+                         "brightness as height, after a homomorphic filter; the published method"),
        .source = "Wu 2009",
        .relief =
            [](const GreyImage& grey, const TextureRecipe& recipe, int threads) {
@@ -31,11 +33,12 @@ std::vector<TextureMethod> make_methods() {
                  threads);
            }},
       {.id = "brightness",
-       .summary = "brightness as height, without a homomorphic filter",
+       .summary = phrase("Stimuli", "brightness as height, without a homomorphic filter"),
        .relief = [](const GreyImage& grey, const TextureRecipe&, int) { return grey; }},
       {.id = "pentland",
-       .summary =
-           "shape from shading in light from one side, linear solution in the Fourier domain",
+       .summary = phrase(
+           "Stimuli",
+           "shape from shading in light from one side, linear solution in the Fourier domain"),
        .source = "Pentland 1990",
        .uses_light = true,
        .relief =
@@ -43,7 +46,9 @@ std::vector<TextureMethod> make_methods() {
              return relief_by_pentland(relative_light(grey, recipe, threads), light_of(recipe));
            }},
       {.id = "tsai_shah",
-       .summary = "shape from shading in light from one side, linear approximation by iteration",
+       .summary =
+           phrase("Stimuli",
+                  "shape from shading in light from one side, linear approximation by iteration"),
        .source = "Tsai 1994",
        .uses_light = true,
        .relief =
@@ -81,8 +86,10 @@ void check_method(const TextureRecipe& recipe) {
         "is inverted, add 180 to light_azimuth_deg.");
   }
   if (recipe.histogram != HistogramTransformation::none) {
-    throw std::invalid_argument("histogram is equalize; the method " + method.id +
-                                " needs brightness that is proportional to light. Use none.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "histogram is equalize; the method %1 needs brightness that is "
+                                "proportional to light. Use none.")
+                             .with(method.id));
   }
 }
 

@@ -14,9 +14,9 @@ namespace asperity {
 
 /// A method of computing f, the relief before its long wavelengths are removed (texture_from_photograph.h).
 struct TextureMethod {
-  std::string id{};       ///< `[a-z][a-z0-9_]*`, used on the command line and in sidecars
-  std::string summary{};  ///< without a full stop
-  std::string source{};   ///< the publication; empty for a method without one
+  std::string id{};      ///< `[a-z][a-z0-9_]*`, used on the command line and in sidecars
+  Phrase summary{};      ///< without a full stop
+  std::string source{};  ///< the publication; empty for a method without one
   /// Uses the direction of the light, which also determines the sign of the heights.
   bool uses_light = false;
   /// f of a grey picture. The result does not depend on the number of threads.

@@ -41,11 +41,12 @@ ParameterValues complete_parameter_values(const TextureRecipe& recipe) {
 std::vector<Parameter> texture_recipe_parameters() {
   const TextureRecipe defaults{};
   std::vector<std::string> methods{};
-  std::string meaning_of_method{};
+  Phrase meaning_of_method{};
   for (const TextureMethod& method : texture_methods()) {
     methods.push_back(method.id);
-    meaning_of_method +=
-        (meaning_of_method.empty() ? "" : "; ") + method.id + ": " + method.summary;
+    const Phrase one = Phrase("%1: %2").with(method.id, method.summary);
+    meaning_of_method =
+        meaning_of_method.empty() ? one : Phrase("%1; %2").with(meaning_of_method, one);
   }
   return {
       {.name = "method",
@@ -54,38 +55,53 @@ std::vector<Parameter> texture_recipe_parameters() {
        .choices = methods,
        .default_value = defaults.method,
        .meaning = meaning_of_method},
+      number_parameter("light_azimuth_deg", "°", -360.0, 360.0, defaults.light_azimuth_deg,
+                       phrase("Stimuli",
+                              "Direction of the light source for pentland and tsai_shah, "
+                              "counterclockwise: 0 is the "
+                              "right of the picture, 90 the top")),
       number_parameter(
-          "light_azimuth_deg", "°", -360.0, 360.0, defaults.light_azimuth_deg,
-          "Direction of the light source for pentland and tsai_shah, counterclockwise: 0 is the "
-          "right of the picture, 90 the top"),
-      number_parameter("light_elevation_deg", "°", kLowestLight_deg, kHighestLight_deg,
-                       defaults.light_elevation_deg,
-                       "Height of the light source above the surface for pentland and tsai_shah"),
-      number_parameter("width_m", "m", 0.001, 1.0, defaults.width_m,
-                       "Width of the surface in the photograph, from its left to its right edge"),
+          "light_elevation_deg", "°", kLowestLight_deg, kHighestLight_deg,
+          defaults.light_elevation_deg,
+          phrase("Stimuli",
+                 "Height of the light source above the surface for pentland and tsai_shah")),
+      number_parameter(
+          "width_m", "m", 0.001, 1.0, defaults.width_m,
+          phrase("Stimuli",
+                 "Width of the surface in the photograph, from its left to its right edge")),
       choice_parameter("histogram", {"none", "equalize"},
-                       "none: brightness as stored; equalize: histogram equalisation, which "
-                       "removes the relation of brightness to height"),
+                       phrase("Stimuli",
+                              "none: brightness as stored; equalize: histogram equalisation, which "
+                              "removes the relation of brightness to height")),
       number_parameter(
           "homomorphic_wavelength_m", "m", 0.0005, 0.5, defaults.homomorphic_wavelength_m,
-          "Variations in brightness with wavelengths longer than this count as lighting, "
-          "shorter ones as the surface"),
-      number_parameter("gamma_low", "1", 0.05, 2.0, defaults.gamma_low,
-                       "Factor applied to gradual changes in lighting; below 1 attenuates them"),
-      number_parameter("gamma_high", "1", 0.2, 5.0, defaults.gamma_high,
-                       "Factor applied to fine detail; above 1 raises its contrast"),
+          phrase("Stimuli",
+                 "Variations in brightness with wavelengths longer than this count as lighting, "
+                 "shorter ones as the surface")),
+      number_parameter(
+          "gamma_low", "1", 0.05, 2.0, defaults.gamma_low,
+          phrase("Stimuli",
+                 "Factor applied to gradual changes in lighting; below 1 attenuates them")),
+      number_parameter(
+          "gamma_high", "1", 0.2, 5.0, defaults.gamma_high,
+          phrase("Stimuli", "Factor applied to fine detail; above 1 raises its contrast")),
       number_parameter(
           "gaussian_wavelength_m", "m", 0.0002, 0.2, defaults.gaussian_wavelength_m,
-          "Wavelengths longer than about this are left out of the heights: they are shape, not "
-          "texture"),
+          phrase(
+              "Stimuli",
+              "Wavelengths longer than about this are left out of the heights: they are shape, not "
+              "texture")),
       number_parameter(
           "spectral_tilt", "1", 0.0, kLargestTilt, defaults.spectral_tilt,
-          "Exponent p by which wavelengths shorter than the longest one kept are attenuated: "
-          "amplitudes are multiplied by (wavelength/longest)^p. 0: as published; the heights "
-          "of most surfaces have less short-wave detail than their brightness"),
+          phrase(
+              "Stimuli",
+              "Exponent p by which wavelengths shorter than the longest one kept are attenuated: "
+              "amplitudes are multiplied by (wavelength/longest)^p. 0: as published; the heights "
+              "of most surfaces have less short-wave detail than their brightness")),
       number_parameter(
           "rms_m", "m", 1e-6, 2e-3, defaults.rms_m,
-          "Roughness of the relief: the RMS of its heights. A photograph does not show it"),
+          phrase("Stimuli",
+                 "Roughness of the relief: the RMS of its heights. A photograph does not show it")),
   };
 }
 

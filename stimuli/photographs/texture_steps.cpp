@@ -12,6 +12,7 @@
 #include <opencv2/core.hpp>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/photographs/texture_method.h"
 #include "stimuli/pictures/bands.h"
 #include "stimuli/properties/parameter.h"
@@ -73,19 +74,21 @@ void check_width(const GreyImage& photograph, double width_m, const std::string&
   });
   if (const auto complaint = complaint_about(*width, width_m)) {
     const std::string given = number_text(width_m);
-    throw std::invalid_argument(*complaint + " It is the width of the surface in " + name +
-                                ", from its left to its right edge: " + given + " cm are " +
-                                number_text(width_m * 1e-2) + " m.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "%1 It is the width of the surface in %2, from its left to its "
+                                "right edge: %3 cm are %4 m.")
+                             .with(*complaint, name, given, number_text(width_m * 1e-2)));
   }
   const double pitch_m = width_m / static_cast<double>(photograph.columns);
   if (pitch_m > kLargestPitch_m) {
-    throw std::invalid_argument("width_m is " + number_text(width_m) + " m: each of the " +
-                                std::to_string(photograph.columns) + " pixels of " + name +
-                                " would be " + number_text(pitch_m * 1e3) +
-                                " mm of the surface, and pixels larger than " +
-                                number_text(kLargestPitch_m * 1e3) +
-                                " mm cannot represent a texture. Take a photograph of a smaller "
-                                "part of the surface, or one with more pixels.");
+    throw PhrasedRefusal(
+        phrase(
+            "Stimuli",
+            "width_m is %1 m: each of the %2 pixels of %3 would be %4 mm of the surface, and "
+            "pixels larger than %5 mm cannot represent a texture. Take a photograph of a smaller "
+            "part of the surface, or one with more pixels.")
+            .with(number_text(width_m), std::to_string(photograph.columns), name,
+                  number_text(pitch_m * 1e3), number_text(kLargestPitch_m * 1e3)));
   }
 }
 
@@ -113,10 +116,11 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
   check_method(recipe);
   if (photograph.rows < kSmallestSide || photograph.columns < kSmallestSide ||
       photograph.values.size() != photograph.rows * photograph.columns) {
-    throw std::invalid_argument(
-        name + " is " + std::to_string(photograph.columns) + " by " +
-        std::to_string(photograph.rows) +
-        " pixels; a texture needs at least 16 by 16. Use a photograph with more pixels.");
+    throw PhrasedRefusal(
+        phrase("Stimuli",
+               "%1 is %2 by %3 pixels; a texture needs at least 16 by 16. Use a photograph with "
+               "more pixels.")
+            .with(name, std::to_string(photograph.columns), std::to_string(photograph.rows)));
   }
   check_width(photograph, recipe.width_m, name);
   const double pitch_m = recipe.width_m / static_cast<double>(photograph.columns);
@@ -124,11 +128,12 @@ void check_recipe(const GreyImage& photograph, const TextureRecipe& recipe,
        {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
         std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
     if (wavelength_m < 2.0 * pitch_m) {
-      throw std::invalid_argument(
-          std::string(field) + " is " + number_text(wavelength_m) + " m; " + name + ", " +
-          number_text(recipe.width_m) +
-          " m wide, cannot represent wavelengths shorter than two pixels, " +
-          number_text(2.0 * pitch_m) + " m. Choose a longer wavelength.");
+      throw PhrasedRefusal(
+          phrase("Stimuli",
+                 "%1 is %2 m; %3, %4 m wide, cannot represent wavelengths shorter than two pixels, "
+                 "%5 m. Choose a longer wavelength.")
+              .with(field, number_text(wavelength_m), name, number_text(recipe.width_m),
+                    number_text(2.0 * pitch_m)));
     }
   }
 }
@@ -189,10 +194,12 @@ Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
   cv::Scalar deviation;
   cv::meanStdDev(mat_over(residual.values), mean, deviation);
   if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that contains one, ends here too
-    throw std::invalid_argument(
-        name + " has no contrast at wavelengths that could be felt (shorter than about " +
-        number_text(2.0 * recipe.gaussian_wavelength_m) +
-        " m); use a photograph in which the texture is visible.");
+    throw PhrasedRefusal(
+        phrase(
+            "Stimuli",
+            "%1 has no contrast at wavelengths that could be felt (shorter than about %2 m); use "
+            "a photograph in which the texture is visible.")
+            .with(name, number_text(2.0 * recipe.gaussian_wavelength_m)));
   }
   residual.mean = mean[0];
   residual.deviation = deviation[0];

@@ -8,12 +8,12 @@
 #include <limits>
 #include <new>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "analysis/words/phrased_error.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/jpeg_decoding.h"
 #include "stimuli/pictures/picture_codecs.h"
@@ -24,8 +24,9 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-[[noreturn]] void refuse_damaged(const std::string& name, const std::string& why) {
-  throw std::invalid_argument(name + " is damaged: " + why + " Copy or export it again.");
+[[noreturn]] void refuse_damaged(const std::string& name, const Phrase& why) {
+  throw PhrasedRefusal(
+      phrase("Stimuli", "%1 is damaged: %2 Copy or export it again.").with(name, why));
 }
 
 std::uint32_t big_endian(Bytes bytes) {
@@ -87,10 +88,11 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
     pixels.release();
   }
   quiet.reset();
-  if (pixels.empty()) refuse_damaged(name, "its pixels cannot be decoded.");
+  if (pixels.empty()) refuse_damaged(name, phrase("Stimuli", "its pixels cannot be decoded."));
   if (static_cast<std::size_t>(pixels.rows) != facts.rows ||
       static_cast<std::size_t>(pixels.cols) != facts.columns) {
-    refuse_damaged(name, "its number of pixels differs from that in its header.");
+    refuse_damaged(name,
+                   phrase("Stimuli", "its number of pixels differs from that in its header."));
   }
   return pixels;
 }
@@ -98,9 +100,11 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
 cv::Mat decoded_whole_numbers(Bytes bytes, const PictureFacts& facts, const std::string& name) {
   cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
-    throw std::invalid_argument(
-        name +
-        " contains neither 8-bit nor 16-bit whole numbers. Save it with 8 or 16 bits per channel.");
+    throw PhrasedRefusal(
+        phrase("Stimuli",
+               "%1 contains neither 8-bit nor 16-bit whole numbers. Save it with 8 or 16 bits per "
+               "channel.")
+            .with(name));
   }
   return pixels;
 }
@@ -193,9 +197,10 @@ GreyImage decode_float_tiff(Bytes bytes, const std::string& name) {
   const PictureFacts facts = inspect_float_tiff(bytes, name);
   const cv::Mat pixels = decoded_by_opencv(bytes, facts, name);
   if (pixels.type() != CV_32FC1) {
-    throw std::invalid_argument(name +
-                                " does not contain one channel of 32-bit floating-point numbers. "
-                                "Save the heights in this form.");
+    throw PhrasedRefusal(phrase("Stimuli",
+                                "%1 does not contain one channel of 32-bit floating-point numbers. "
+                                "Save the heights in this form.")
+                             .with(name));
   }
   GreyImage image{facts.rows, facts.columns, std::vector<float>(facts.rows * facts.columns)};
   pixels.copyTo(cv::Mat(pixels.rows, pixels.cols, CV_32FC1, image.values.data()));

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"
 
@@ -25,25 +25,34 @@ class HeaderReader final {
  public:
   HeaderReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw std::invalid_argument(name_ + " " + sentence);
+  /// %1 of the sentence is the name of the file.
+  template <class... Values>
+  [[noreturn]] void refuse(const Phrase& sentence, const Values&... values) const {
+    throw PhrasedRefusal(sentence.with(name_, values...));
   }
   [[noreturn]] void refuse_cut_off() const {
     refuse(
-        "is truncated or damaged: the file ends before the end of the picture. Copy or export it "
-        "again.");
+        phrase("Stimuli",
+               "%1 is truncated or damaged: the file ends before the end of the picture. Copy or "
+               "export it again."));
   }
 
   // The size is checked first: a picture that is too large is rejected for its size, complete or not.
   void refuse_wrong_size(const PictureFacts& facts) const {
-    const std::string size =
-        std::to_string(facts.columns) + " by " + std::to_string(facts.rows) + " pixels";
+    const std::string columns = std::to_string(facts.columns);
+    const std::string rows = std::to_string(facts.rows);
     if (facts.rows == 0 || facts.columns == 0) {
-      refuse("cannot be read: its header states " + size + ". Copy or export it again.");
+      refuse(phrase("Stimuli",
+                    "%1 cannot be read: its header states %2 by %3 pixels. Copy or export it "
+                    "again."),
+             columns, rows);
     }
     if (facts.rows > kLargestPictureSide || facts.columns > kLargestPictureSide) {
-      refuse("is " + size + "; at most " + std::to_string(kLargestPictureSide) +
-             " per side are possible. Scale it down or crop it.");
+      refuse(
+          phrase("Stimuli",
+                 "%1 is %2 by %3 pixels; at most %4 per side are possible. Scale it down or crop "
+                 "it."),
+          columns, rows, std::to_string(kLargestPictureSide));
     }
   }
 
@@ -100,9 +109,10 @@ std::uint32_t crc32(Bytes bytes) noexcept {
 PictureFacts inspect_png(const HeaderReader& file) {
   constexpr std::size_t kSignature = 8;
   if (!file.has(kSignature + 4, "IHDR")) {
-    file.refuse(
-        "is truncated or damaged: a PNG begins with its size (IHDR), and this one does not. Copy "
-        "or export it again.");
+    file.refuse(phrase("Stimuli",
+                       "%1 is truncated or damaged: a PNG begins with its size (IHDR), and this "
+                       "one does not. Copy "
+                       "or export it again."));
   }
   PictureFacts facts{.format = PictureFormat::png,
                      .rows = file.big_endian(kSignature + 12, 4),
@@ -123,7 +133,9 @@ PictureFacts inspect_png(const HeaderReader& file) {
       facts.channels = 4;
       break;
     default:
-      file.refuse("is damaged: its colour type does not exist in PNG. Copy or export it again.");
+      file.refuse(
+          phrase("Stimuli",
+                 "%1 is damaged: its colour type does not exist in PNG. Copy or export it again."));
   }
   if (facts.bits_per_channel < 8) facts.bits_per_channel = 8;  // the decoded depth
 
@@ -132,7 +144,8 @@ PictureFacts inspect_png(const HeaderReader& file) {
   for (std::size_t at = kSignature;;) {
     const std::size_t length = file.big_endian(at, 4);
     if (crc32(file.part(at + 4, length + 4)) != file.big_endian(at + 8 + length, 4)) {
-      file.refuse("is damaged: a checksum in it does not match. Copy or export it again.");
+      file.refuse(phrase(
+          "Stimuli", "%1 is damaged: a checksum in it does not match. Copy or export it again."));
     }
     if (file.has(at + 4, "IEND")) return facts;
     at += 12 + length;
@@ -160,7 +173,9 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
     if (marker == 0xD9) break;
     const std::size_t length = file.big_endian(at, 2);
     if (length < 2)
-      file.refuse("is damaged: a segment of this JPEG has no length. Copy or export it again.");
+      file.refuse(
+          phrase("Stimuli",
+                 "%1 is damaged: a segment of this JPEG has no length. Copy or export it again."));
     if (is_frame_header(marker)) {
       facts.bits_per_channel = static_cast<int>(file.byte(at + 2));
       facts.rows = file.big_endian(at + 3, 2);
@@ -172,13 +187,18 @@ PictureFacts inspect_jpeg(const HeaderReader& file) {
   }
   if (facts.channels == 0) file.refuse_cut_off();
   if (facts.bits_per_channel != 8) {
-    file.refuse("is a JPEG with " +
-                counted(static_cast<std::size_t>(facts.bits_per_channel), "bit", "bits") +
-                " per channel; only 8 are supported. Save it as a 16-bit PNG or TIFF instead.");
+    file.refuse(
+        phrase("Stimuli",
+               "%1 is a JPEG with %2 per channel; only 8 are supported. Save it as a 16-bit "
+               "PNG or TIFF instead."),
+        (facts.bits_per_channel == 1 ? phrase("Stimuli", "%1 bit") : phrase("Stimuli", "%1 bits"))
+            .with(std::to_string(facts.bits_per_channel)));
   }
   if (facts.channels != 1 && facts.channels != 3) {
-    file.refuse("is a JPEG with " + std::to_string(facts.channels) +
-                " colour channels (probably CMYK); save it as greyscale or RGB.");
+    file.refuse(phrase("Stimuli",
+                       "%1 is a JPEG with %2 colour channels (probably CMYK); save it as greyscale "
+                       "or RGB."),
+                std::to_string(facts.channels));
   }
   return facts;
 }
@@ -218,8 +238,10 @@ float no_data_in(const HeaderReader& file, std::size_t at, std::size_t count) {
   if (read.ec != std::errc() || read.ptr != end) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    file.refuse("is a TIFF that states \"" + text.substr(0, 40) +
-                "\" as the value of missing points, which is not a number; export it again.");
+    file.refuse(phrase("Stimuli",
+                       "%1 is a TIFF that states \"%2\" as the value of missing points, which is "
+                       "not a number; export it again."),
+                text.substr(0, 40));
   }
   return static_cast<float>(number);  // as the points are stored
 }
@@ -229,9 +251,10 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
     return tiff_number(file, at, count);
   };
   if (number(2, 2) != 42) {
-    file.refuse(
-        "is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or "
-        "PNG.");
+    file.refuse(phrase(
+        "Stimuli",
+        "%1 is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or "
+        "PNG."));
   }
   TiffDirectory read{};
   PictureFacts& facts = read.facts;
@@ -251,8 +274,10 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
     const auto first = [&] { return number(entry.at, entry.width); };
     const std::uint32_t tag = number(at, 2);
     if (!tags.insert(tag).second) {
-      file.refuse("is a TIFF that states the entry " + std::to_string(tag) +
-                  " of its directory twice; export it again.");
+      file.refuse(phrase("Stimuli",
+                         "%1 is a TIFF that states the entry %2 of its directory twice; export it "
+                         "again."),
+                  std::to_string(tag));
     }
     switch (tag) {
       case 256:
@@ -266,10 +291,11 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
         break;
       case 274:
         if (first() > 1) {
-          file.refuse("is a TIFF that is to be turned or mirrored when it is shown (orientation " +
-                      std::to_string(first()) +
-                      "), so that the directions of its rows and columns are unclear; save it "
-                      "upright, with the orientation 1.");
+          file.refuse(phrase("Stimuli",
+                             "%1 is a TIFF that is to be turned or mirrored when it is shown "
+                             "(orientation %2), so that the directions of its rows and columns are "
+                             "unclear; save it upright, with the orientation 1."),
+                      std::to_string(first()));
         }
         break;
       case 277:
@@ -314,17 +340,20 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   const PictureFacts& facts = read.facts;
   const std::uint32_t sample_format = read.sample_format;
   if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
-    const char* const numbers = sample_format == 3   ? "-bit floating-point numbers"
-                                : sample_format == 2 ? "-bit whole numbers with a sign"
-                                                     : "-bit channels";
-    file.refuse(
-        "is a TIFF with " + std::to_string(facts.bits_per_channel) + numbers +
-        "; save a photograph with whole numbers of 8 or 16 bits without a sign, and measured "
-        "heights with 32-bit floating-point numbers.");
+    const Phrase numbers = sample_format == 3 ? phrase("Stimuli", "%1-bit floating-point numbers")
+                           : sample_format == 2
+                               ? phrase("Stimuli", "%1-bit whole numbers with a sign")
+                               : phrase("Stimuli", "%1-bit channels");
+    file.refuse(phrase("Stimuli",
+                       "%1 is a TIFF with %2; save a photograph with whole numbers of 8 or 16 bits "
+                       "without a sign, and measured heights with 32-bit floating-point numbers."),
+                numbers.with(std::to_string(facts.bits_per_channel)));
   }
   if (facts.channels < 1 || facts.channels > 4) {
-    file.refuse("is a TIFF with " + std::to_string(facts.channels) +
-                " channels; save it with 1 to 4 (greyscale or colour, with or without alpha).");
+    file.refuse(phrase("Stimuli",
+                       "%1 is a TIFF with %2 channels; save it with 1 to 4 (greyscale or colour, "
+                       "with or without alpha)."),
+                std::to_string(facts.channels));
   }
   check_tiff_data(file, read);
   return facts;
@@ -333,7 +362,9 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
 PictureFacts inspect_bmp(const HeaderReader& file) {
   const std::size_t data = file.little_endian(10, 4);
   if (file.little_endian(14, 4) < 40) {
-    file.refuse("is a BMP in the format used before 1990, which is not supported; save it as PNG.");
+    file.refuse(phrase(
+        "Stimuli",
+        "%1 is a BMP in the format used before 1990, which is not supported; save it as PNG."));
   }
   const auto rows = static_cast<std::int32_t>(file.little_endian(22, 4));
   const auto columns = static_cast<std::int32_t>(file.little_endian(18, 4));
@@ -367,14 +398,16 @@ PictureFacts inspect_webp(const HeaderReader& file) {
     facts.channels = (packed >> 28U & 1U) != 0 ? 4 : 3;
   } else if (file.has(12, "VP8X")) {
     const std::uint32_t flags = file.byte(20);
-    if ((flags & 0x02U) != 0) file.refuse("is an animation; save a single picture of it.");
+    if ((flags & 0x02U) != 0)
+      file.refuse(phrase("Stimuli", "%1 is an animation; save a single picture of it."));
     facts.columns = file.little_endian(24, 3) + 1;
     facts.rows = file.little_endian(27, 3) + 1;
     facts.channels = (flags & 0x10U) != 0 ? 4 : 3;
   } else {
-    file.refuse(
-        "is damaged: a WebP contains a VP8 picture, and this one does not. Copy or export it "
-        "again.");
+    file.refuse(phrase(
+        "Stimuli",
+        "%1 is damaged: a WebP contains a VP8 picture, and this one does not. Copy or export it "
+        "again."));
   }
   file.refuse_wrong_size(facts);
   file.part(8, file.little_endian(4, 4));
@@ -383,14 +416,18 @@ PictureFacts inspect_webp(const HeaderReader& file) {
 
 PictureFacts inspect_any(const HeaderReader& file) {
   if (file.size() == 0) {
-    file.refuse("is empty; copy or export the picture (PNG, JPEG, TIFF, BMP or WebP) again.");
+    file.refuse(
+        phrase("Stimuli",
+               "%1 is empty; copy or export the picture (PNG, JPEG, TIFF, BMP or WebP) again."));
   }
   if (file.has(0, "\x89PNG\r\n\x1A\n")) return inspect_png(file);
   if (file.has(0, "\xFF\xD8\xFF")) return inspect_jpeg(file);
   if (is_tiff(file)) return inspect_tiff(file);
   if (file.has(0, "BM")) return inspect_bmp(file);
   if (file.has(0, "RIFF") && file.has(8, "WEBP")) return inspect_webp(file);
-  file.refuse("is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP.");
+  file.refuse(phrase(
+      "Stimuli",
+      "%1 is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP."));
 }
 
 }  // namespace
@@ -422,13 +459,17 @@ bool is_float_tiff(Bytes bytes, const std::string& name) {
 
 PictureFacts inspect_float_tiff(Bytes bytes, const std::string& name) {
   const HeaderReader file(bytes, name);
-  if (!is_tiff(file)) file.refuse("is not a TIFF; save the heights as TIFF.");
+  if (!is_tiff(file)) file.refuse(phrase("Stimuli", "%1 is not a TIFF; save the heights as TIFF."));
   const TiffDirectory read = tiff_directory(file);
   if (read.sample_format != 3 || read.facts.bits_per_channel != 32 || read.facts.channels != 1) {
-    file.refuse("is a TIFF with " +
-                counted(static_cast<std::size_t>(read.facts.channels), "channel", "channels") +
-                " of " + std::to_string(read.facts.bits_per_channel) +
-                " bits; save the heights as one channel of 32-bit floating-point numbers.");
+    file.refuse(read.facts.channels == 1
+                    ? phrase("Stimuli",
+                             "%1 is a TIFF with %2 channel of %3 bits; save the heights as one "
+                             "channel of 32-bit floating-point numbers.")
+                    : phrase("Stimuli",
+                             "%1 is a TIFF with %2 channels of %3 bits; save the heights as one "
+                             "channel of 32-bit floating-point numbers."),
+                std::to_string(read.facts.channels), std::to_string(read.facts.bits_per_channel));
   }
   check_tiff_data(file, read);
   return read.facts;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "analysis/numbers/number_text.h"
 
@@ -22,7 +23,7 @@ struct OtherUnit {
 
 struct Quantity {
   std::string_view unit{};
-  std::string_view convention{};
+  Phrase convention{};
   std::span<const OtherUnit> others{};  ///< the greatest first
 };
 
@@ -36,15 +37,18 @@ constexpr std::array<OtherUnit, 1> kFrequencies{{{" kHz", 3}}};
 constexpr std::array<OtherUnit, 1> kStiffnesses{{{" N/mm", 3}}};
 constexpr std::array<OtherUnit, 1> kAngles{{{kDegree, 0}}};
 
-constexpr std::array<Quantity, 8> kQuantities{
-    {{"m", "lengths are in metres", kLengths},
-     {"s", "times are in seconds", kTimes},
-     {"m/s", "speeds are in metres per second", kSpeeds},
-     {"N", "forces are in newtons", kForces},
-     {"kg", "masses are in kilograms", kMasses},
-     {"Hz", "frequencies are in hertz", kFrequencies},
-     {"N/m", "stiffnesses are in newtons per metre", kStiffnesses},
-     {"rad", "angles are in radians", kAngles}}};
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> kAll{
+      {"m", phrase("UnitsOfFile", "; lengths are in metres: %1"), kLengths},
+      {"s", phrase("UnitsOfFile", "; times are in seconds: %1"), kTimes},
+      {"m/s", phrase("UnitsOfFile", "; speeds are in metres per second: %1"), kSpeeds},
+      {"N", phrase("UnitsOfFile", "; forces are in newtons: %1"), kForces},
+      {"kg", phrase("UnitsOfFile", "; masses are in kilograms: %1"), kMasses},
+      {"Hz", phrase("UnitsOfFile", "; frequencies are in hertz: %1"), kFrequencies},
+      {"N/m", phrase("UnitsOfFile", "; stiffnesses are in newtons per metre: %1"), kStiffnesses},
+      {"rad", phrase("UnitsOfFile", "; angles are in radians: %1"), kAngles}};
+  return kAll;
+}
 
 std::string converted(double number, const OtherUnit& unit) {
   if (unit.name == kDegree) {
@@ -61,19 +65,21 @@ double value_of(double number, const OtherUnit& unit) {
 
 }  // namespace
 
-std::string meant_in_other_unit(double number, std::string_view unit,
-                                const std::function<bool(double)>& is_permitted) {
+Phrase meant_in_other_unit(double number, std::string_view unit,
+                           const std::function<bool(double)>& is_permitted) {
   constexpr double kManyOfThem = 100.0;  // from which on a smaller unit is as likely: 500 µm
-  for (const Quantity& quantity : kQuantities) {
+  for (const Quantity& quantity : quantities()) {
     if (quantity.unit != unit) continue;
-    std::string meant{};
+    Phrase meant{};
     for (const OtherUnit& other : quantity.others) {
       if (number < other.usual_from || !is_permitted(value_of(number, other))) continue;
       if (!meant.empty() && std::abs(number) < kManyOfThem) break;
-      meant += (meant.empty() ? ": " : ", and ") + number_text(number) + std::string(other.name) +
-               " is " + converted(number, other);
+      const Phrase one =
+          phrase("Protocols", "%1 is %2")
+              .with(number_text(number) + std::string(other.name), converted(number, other));
+      meant = meant.empty() ? one : phrase("Protocols", "%1, and %2").with(meant, one);
     }
-    return meant.empty() ? "" : "; " + std::string(quantity.convention) + meant;
+    return meant.empty() ? Phrase() : quantity.convention.with(meant);
   }
   return {};
 }

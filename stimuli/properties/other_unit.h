@@ -3,14 +3,18 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <string_view>
+
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 
+/// The context of the phrases.
+inline constexpr const char* kUnitsOfFile = "UnitsOfFile";
+
 /// "; lengths are in metres: 2.3 mm is 0.0023", for the end of a sentence about `number`, which is in `unit` ("m") and not
 /// permitted. Empty if there is no usual other unit of the quantity in which the number would be permitted.
-std::string meant_in_other_unit(double number, std::string_view unit,
-                                const std::function<bool(double)>& is_permitted);
+Phrase meant_in_other_unit(double number, std::string_view unit,
+                           const std::function<bool(double)>& is_permitted);
 
 }  // namespace asperity

@@ -10,29 +10,20 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrase_lists.h"
+#include "analysis/words/phrased_error.h"
 #include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
 namespace {
 
-std::string with_unit(const Parameter& parameter, double number) {
-  std::string text = number_text(number);
-  if (parameter.unit != "1" && !parameter.unit.empty()) text += " " + parameter.unit;
-  return text;
+Phrase with_unit(const Parameter& parameter, double number) {
+  if (parameter.unit == "1" || parameter.unit.empty()) return number_text(number);
+  return Phrase("%1 %2").with(number_text(number), parameter.unit);
 }
 
-std::string list_of(const std::vector<std::string>& names, const std::string& conjunction) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) list += i + 1 == names.size() ? " " + conjunction + " " : ", ";
-    list += names[i];
-  }
-  return list;
-}
-
-std::optional<std::string> complaint_about_choice(const Parameter& parameter,
-                                                  const ParameterValue& value) {
+std::optional<Phrase> problem_of_choice(const Parameter& parameter, const ParameterValue& value) {
   const auto* chosen = std::get_if<std::string>(&value);
   if (chosen != nullptr && std::find(parameter.choices.begin(), parameter.choices.end(), *chosen) !=
                                parameter.choices.end()) {
@@ -40,13 +31,15 @@ std::optional<std::string> complaint_about_choice(const Parameter& parameter,
   }
   const std::string given =
       chosen != nullptr ? "\"" + *chosen + "\"" : number_text(std::get<double>(value));
-  return parameter.name + " is " + given + "; it must be " + list_of(parameter.choices, "or") + ".";
+  return phrase("Protocols", "%1 is %2; it must be %3")
+      .with(parameter.name, given,
+            joined_by_or({parameter.choices.begin(), parameter.choices.end()}));
 }
 
 }  // namespace
 
 Parameter number_parameter(std::string name, std::string unit, double minimum, double maximum,
-                           double default_value, std::string meaning) {
+                           double default_value, Phrase meaning) {
   return {.name = std::move(name),
           .unit = std::move(unit),
           .minimum = minimum,
@@ -56,15 +49,14 @@ Parameter number_parameter(std::string name, std::string unit, double minimum, d
 }
 
 Parameter integer_parameter(std::string name, double minimum, double maximum, double default_value,
-                            std::string meaning) {
+                            Phrase meaning) {
   Parameter parameter =
       number_parameter(std::move(name), "1", minimum, maximum, default_value, std::move(meaning));
   parameter.kind = ParameterKind::integer;
   return parameter;
 }
 
-Parameter choice_parameter(std::string name, std::vector<std::string> choices,
-                           std::string meaning) {
+Parameter choice_parameter(std::string name, std::vector<std::string> choices, Phrase meaning) {
   return {.name = std::move(name),
           .kind = ParameterKind::choice,
           .unit = "1",
@@ -73,30 +65,42 @@ Parameter choice_parameter(std::string name, std::vector<std::string> choices,
           .meaning = std::move(meaning)};
 }
 
-std::optional<std::string> complaint_about(const Parameter& parameter,
-                                           const ParameterValue& value) {
-  if (parameter.kind == ParameterKind::choice) return complaint_about_choice(parameter, value);
+std::optional<Phrase> problem_of_value(const Parameter& parameter, const ParameterValue& value) {
+  if (parameter.kind == ParameterKind::choice) return problem_of_choice(parameter, value);
 
-  const std::string right =
-      (parameter.kind == ParameterKind::integer ? "a whole number from " : "a number from ") +
-      number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum);
   const auto* number = std::get_if<double>(&value);
+  // In this form the condition rejects NaN, for which all comparisons are false.
+  const auto lies_within = [&parameter](double one) {
+    return one >= parameter.minimum && one <= parameter.maximum;
+  };
+  if (number != nullptr && lies_within(*number) &&
+      (parameter.kind != ParameterKind::integer || *number == std::floor(*number))) {
+    return std::nullopt;
+  }
+  const Phrase right =
+      (parameter.kind == ParameterKind::integer
+           ? phrase("Protocols", "a whole number from %1 to %2")
+           : phrase("Protocols", "a number from %1 to %2"))
+          .with(number_text(parameter.minimum), with_unit(parameter, parameter.maximum));
   if (number == nullptr) {
     const std::string& text = std::get<std::string>(value);
     double quoted = 0.0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), quoted);
     const bool is_quoted_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
-    return parameter.name + " is \"" + text + "\"; it must be " +
-           (is_quoted_number ? "written without quotation marks, as " : "") + right + ".";
+    const Phrase sentence =
+        is_quoted_number
+            ? phrase("Protocols", "%1 is %2; it must be written without quotation marks, as %3")
+            : phrase("Protocols", "%1 is %2; it must be %3");
+    return sentence.with(parameter.name, '"' + text + '"', right);
   }
-  const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
-  // In this form the condition rejects NaN, for which all comparisons are false.
-  const auto lies_within = [&parameter](double one) {
-    return one >= parameter.minimum && one <= parameter.maximum;
-  };
-  if (whole && lies_within(*number)) return std::nullopt;
-  return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right +
-         meant_in_other_unit(*number, parameter.unit, lies_within) + ".";
+  return phrase("Protocols", "%1 is %2; it must be %3%4")
+      .with(parameter.name, with_unit(parameter, *number), right,
+            meant_in_other_unit(*number, parameter.unit, lies_within));
+}
+
+std::optional<Phrase> complaint_about(const Parameter& parameter, const ParameterValue& value) {
+  const std::optional<Phrase> problem = problem_of_value(parameter, value);
+  return problem ? std::optional(problem->as_sentence()) : std::nullopt;
 }
 
 ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given) {
@@ -113,7 +117,8 @@ ParameterValues complete_values(std::string_view of, const std::vector<Parameter
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
       throw std::invalid_argument(
           who + " has no parameter \"" + name + "\"; " +
-          (names.empty() ? "remove it." : "use " + list_of(names, "or") + "."));
+          (names.empty() ? "remove it."
+                         : "use " + joined_by_or({names.begin(), names.end()}).english() + "."));
     }
   }
   ParameterValues values;
@@ -121,7 +126,7 @@ ParameterValues complete_values(std::string_view of, const std::vector<Parameter
     const auto found = given.find(parameter.name);
     const ParameterValue& value = found == given.end() ? parameter.default_value : found->second;
     if (const auto complaint = complaint_about(parameter, value)) {
-      throw std::invalid_argument(who + ": " + *complaint);
+      throw PhrasedRefusal(Phrase("%1: %2").with(who, *complaint));
     }
     values.emplace(parameter.name, value);
   }

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/words/phrase.h"
+
 namespace asperity {
 
 enum class ParameterKind { number, integer, choice };
@@ -35,20 +37,20 @@ struct Parameter {
   double maximum = 0.0;                ///< inclusive; not used for a choice
   std::vector<std::string> choices{};  ///< of a choice; empty otherwise
   ParameterValue default_value{};
-  std::string meaning{};
+  Phrase meaning{};
 };
 
 Parameter number_parameter(std::string name, std::string unit, double minimum, double maximum,
-                           double default_value, std::string meaning);
+                           double default_value, Phrase meaning);
 Parameter integer_parameter(std::string name, double minimum, double maximum, double default_value,
-                            std::string meaning);
+                            Phrase meaning);
 /// The default is the first choice.
-Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::string meaning);
+Parameter choice_parameter(std::string name, std::vector<std::string> choices, Phrase meaning);
 
 /// A conflict between values that are valid individually.
 struct ParameterConflict {
   std::vector<std::string> parameters{};  ///< any of which could be changed, the most likely first
-  std::string message{};                  ///< the values and the correction
+  Phrase message{};                       ///< the values and the correction
 };
 
 /// A file that a force model needs in addition to a height field and bodies, such as recorded vibrations.
@@ -58,14 +60,14 @@ struct ParameterConflict {
 struct AssetDeclaration {
   std::string
       role{};  ///< `[a-z][a-z0-9_]*`; not that of a height field or a body (stimulus_description.h)
-  std::string meaning{};  ///< what the file contains
+  Phrase meaning{};  ///< what the file contains
 };
 
 /// A force model as everybody but the servo knows it.
 struct ModelDeclaration {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, used in protocols and on the command line
   std::string version{};  ///< changes whenever the same inputs would give another force
-  std::string summary{};
+  Phrase summary{};
   std::string source{};  ///< the publication of the law
   bool needs_height_field = false;
   bool needs_bodies = false;  ///< a tool and a surface, meshes with haptic textures
@@ -86,8 +88,10 @@ struct ModelDeclaration {
   std::function<std::optional<ParameterConflict>(const ParameterValues&)> conflict_among{};
 };
 
-/// The problem with one value, as a sentence; nullopt if the value is valid.
-std::optional<std::string> complaint_about(const Parameter& parameter, const ParameterValue& value);
+/// The problem with one value, for use within a sentence; nullopt if the value is valid.
+std::optional<Phrase> problem_of_value(const Parameter& parameter, const ParameterValue& value);
+/// The same as a sentence, with a full stop.
+std::optional<Phrase> complaint_about(const Parameter& parameter, const ParameterValue& value);
 
 /// Completes the given values with the declared defaults.
 ///

@@ -12,10 +12,16 @@ namespace {
 TEST(LookAlikes, AreNamedWithWhatToWriteInstead) {
   const auto space = look_alike_at("\xC2\xA0x");
   ASSERT_TRUE(space);
-  EXPECT_EQ(space->name, "a no-break space (U+00A0)");
-  EXPECT_EQ(space->remedy, "write a space instead");
+  EXPECT_EQ(space->character.english(), "a no-break space (U+00A0)");
+  EXPECT_EQ(space->correction.english(), "write a space instead");
   EXPECT_EQ(space->bytes.size(), 2U);
-  EXPECT_EQ(first_look_alike("ab\xE2\x80\x8B\xC2\xA0")->name, "a zero-width space (U+200B)");
+  const auto german = [](const char* context, const char* words) {
+    return context == nullptr ? std::string(words) : "<" + std::string(words) + ">";
+  };
+  EXPECT_EQ(space->character.translated(german), "<a no-break space> (U+00A0)");
+  EXPECT_EQ(space->correction.translated(german), "<write a space instead>");
+  EXPECT_EQ(first_look_alike("ab\xE2\x80\x8B\xC2\xA0")->character.english(),
+            "a zero-width space (U+200B)");
 }
 
 TEST(LookAlikes, AreTheReasonWhyACellIsNotANumber) {

@@ -64,14 +64,14 @@ TEST_F(ArrangementWarnings, NamePatchesWithFewPeriods) {
   const std::vector<Diagnostic> found = warnings_of(two_gratings_of("0.008", "5e-5", kPatches));
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/blocks/pairs/arrangement/surfaces");
-  EXPECT_THAT(found[0].message, HasSubstr("47 mm wide and contain 5.9 periods"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("47 mm wide and contain 5.9 periods"));
 }
 
 TEST_F(ArrangementWarnings, NameStrokesLongerThanAPatch) {
   const std::vector<Diagnostic> found = warnings_of(two_gratings_of(
       "0.0025", "5e-5", kPatches, R"(, "direction_rad": 0, "stroke_length_m": {"target": 0.06})"));
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].message, HasSubstr("requests strokes of 60 mm"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("requests strokes of 60 mm"));
   EXPECT_THAT(
       warnings_of(two_gratings_of("0.0025", "5e-5", R"({"surfaces": "side_by_side", "axis": "y"})",
                                   R"(, "direction_rad": 0, "stroke_length_m": {"target": 0.06})")),
@@ -83,7 +83,7 @@ TEST_F(ArrangementWarnings, NameStrokesLongerThanAPatch) {
 TEST_F(ArrangementWarnings, NameSidesThatAreFeltAsEdges) {
   const std::vector<Diagnostic> found = warnings_of(two_gratings_of("0.0025", "5e-4", kPatches));
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].message, HasSubstr("can change by 38 mN from tick to tick"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("can change by 38 mN from tick to tick"));
 }
 
 TEST_F(ArrangementWarnings, NameStrokesThatDoNotFitIntoAVisit) {
@@ -91,7 +91,7 @@ TEST_F(ArrangementWarnings, NameStrokesThatDoNotFitIntoAVisit) {
       "0.0025", "5e-5", R"({"exposure": {"strokes": 20}})",
       R"(, "stroke_length_m": {"target": 0.04}, "speed_m_per_s": {"target": 0.08})"));
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].message,
+  EXPECT_THAT(found[0].message.english(),
               HasSubstr("20 strokes of the exploration \"stroking\" take 10.0 s"));
 }
 

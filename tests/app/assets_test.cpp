@@ -104,26 +104,31 @@ TEST_F(AssetOfAModel, IsCheckedWithItsContent) {
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/stimuli/rendered");
   EXPECT_GT(problems()[0].line, 1);
-  EXPECT_THAT(problems()[0].message, HasSubstr("a wave is one number, its amplitude in metres"));
+  EXPECT_THAT(problems()[0].message.english(),
+              HasSubstr("a wave is one number, its amplitude in metres"));
   std::filesystem::remove(study_ / kFile);
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/textures/grain/assets/wave");
-  EXPECT_THAT(problems()[0].message, HasSubstr("the file stimuli/grain.wave is not in the study"));
+  EXPECT_THAT(problems()[0].message.english(),
+              HasSubstr("the file stimuli/grain.wave is not in the study"));
 }
 
 TEST_F(AssetOfAModel, IsRefusedByWhatIsThereInstead) {
   std::filesystem::remove(study_ / kFile);
   ASSERT_EQ(::mkfifo((study_ / kFile).c_str(), 0600), 0);
   ASSERT_EQ(problems().size(), 1U);
-  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("it is a pipe")));
+  EXPECT_THAT(problems()[0].message.english(),
+              AllOf(HasSubstr("grain.wave"), HasSubstr("it is a pipe")));
   std::filesystem::remove(study_ / kFile);
   std::filesystem::create_directory(study_ / kFile);
   ASSERT_EQ(problems().size(), 1U);
-  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("not a folder")));
+  EXPECT_THAT(problems()[0].message.english(),
+              AllOf(HasSubstr("grain.wave"), HasSubstr("not a folder")));
   std::filesystem::remove(study_ / kFile);
   std::filesystem::create_symlink("grain.wave", study_ / kFile);
   ASSERT_EQ(problems().size(), 1U);
-  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("replace the link")));
+  EXPECT_THAT(problems()[0].message.english(),
+              AllOf(HasSubstr("grain.wave"), HasSubstr("replace the link")));
 }
 
 TEST_F(AssetOfAModel, IsHashedStoredAndVerified) {

@@ -48,9 +48,10 @@ std::vector<Diagnostic> warned_of_noise(double noise_rate_Hz, double servo_rate_
 TEST(BandWarnings, NameNoiseThatIsFasterThanTheServoLoop) {
   const std::vector<Diagnostic> found = warned_of_noise(1000, 400);
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].message, AllOf(HasSubstr("at frequencies up to 500 Hz, above the Nyquist "
-                                                "frequency of the servo loop, half of 400 Hz"),
-                                      HasSubstr("raise \"rate_Hz\"")));
+  EXPECT_THAT(found[0].message.english(),
+              AllOf(HasSubstr("at frequencies up to 500 Hz, above the Nyquist "
+                              "frequency of the servo loop, half of 400 Hz"),
+                    HasSubstr("raise \"rate_Hz\"")));
 }
 
 TEST(BandWarnings, AreNoneUpToTheServoRateAndForNoiseAlongThePath) {

@@ -109,7 +109,7 @@ TEST_F(Bodies, AreCheckedWithTheirFiles) {
   std::filesystem::remove(study_ / "stimuli" / "rasp.mesh");
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/bodies/rasp/mesh");
-  EXPECT_THAT(problems()[0].message, HasSubstr("stimuli/rasp.mesh is not in the study"));
+  EXPECT_THAT(problems()[0].message.english(), HasSubstr("stimuli/rasp.mesh is not in the study"));
 }
 
 TEST_F(Bodies, ADamagedMeshIsRefused) {
@@ -119,7 +119,7 @@ TEST_F(Bodies, ADamagedMeshIsRefused) {
   write_file(file, bytes, Overwrite::allow);
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/bodies/rasp/mesh");
-  EXPECT_THAT(problems()[0].message, HasSubstr("rasp.mesh"));
+  EXPECT_THAT(problems()[0].message.english(), HasSubstr("rasp.mesh"));
   write_file(file, "a list of groceries\n", Overwrite::allow);
   EXPECT_EQ(problems().size(), 1U);
 }
@@ -129,7 +129,7 @@ TEST_F(Bodies, AReliefThatIsTooFineForItsShapeIsRefused) {
   replace_in_protocol("[0.04, 0.02, 0.01]", "[1, 1, 0.01]");
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/bodies/plate");
-  EXPECT_THAT(problems()[0].message, HasSubstr("use a smaller shape"));
+  EXPECT_THAT(problems()[0].message.english(), HasSubstr("use a smaller shape"));
 }
 
 TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {
@@ -137,7 +137,7 @@ TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {
                       R"("model": "pd_gradient", "parameters": {"step_m": 0.0003},)");
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/stimuli/felt/parameters/step_m");
-  EXPECT_EQ(problems()[0].message,
+  EXPECT_EQ(problems()[0].message.english(),
             "step_m is 3e-04 and cell_m 1e-04; step_m must be 1, 2, 4 or 8 times cell_m, "
             "here 1e-04, 2e-04, 4e-04 or 8e-04.");
   replace_in_protocol(R"("step_m": 0.0003)", R"("step_m": 0.0003, "maximum": "smooth")");
@@ -146,7 +146,7 @@ TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {
                       R"("step_m": 0.0008, "most_samples": 128)");
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/stimuli/felt/parameters/most_samples");
-  EXPECT_THAT(problems()[0].message, HasSubstr("at least 256"));
+  EXPECT_THAT(problems()[0].message.english(), HasSubstr("at least 256"));
 }
 
 // A texture of more columns than a renderer can address: nothing but building one tells.
@@ -167,8 +167,9 @@ TEST_F(Bodies, ThatNoRendererTakesAreRefusedBeforeASession) {
     ASSERT_EQ(error.diagnostics().size(), 1U);
     EXPECT_EQ(error.diagnostics()[0].pointer, "/stimuli/felt");
     EXPECT_GT(error.diagnostics()[0].line, 1);
-    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("\"felt_grain_pd_gradient_rasp\""));
-    EXPECT_THAT(error.diagnostics()[0].message,
+    EXPECT_THAT(error.diagnostics()[0].message.english(),
+                HasSubstr("\"felt_grain_pd_gradient_rasp\""));
+    EXPECT_THAT(error.diagnostics()[0].message.english(),
                 HasSubstr("at most 32000 per side. Use a smaller shape"));
   }
 }
@@ -196,7 +197,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
        {"no part of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
         "10.0 mm from the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
         "again with `--for surface`", "the strokes extend beyond the surface"}) {
-    EXPECT_THAT(of_a_tool[0].message, HasSubstr(said));
+    EXPECT_THAT(of_a_tool[0].message.english(), HasSubstr(said));
   }
   SimulationInputs inputs{};
   inputs.protocols = {protocol_};
@@ -205,15 +206,16 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
 
   const std::vector<Diagnostic> of_a_short_one = refusals(placed(cube(0.004), BodyRole::surface));
   ASSERT_EQ(of_a_short_one.size(), 1U);
-  EXPECT_THAT(of_a_short_one[0].message, HasSubstr("the strokes extend beyond the surface"));
-  EXPECT_THAT(of_a_short_one[0].message, testing::Not(HasSubstr("--for surface")));
+  EXPECT_THAT(of_a_short_one[0].message.english(),
+              HasSubstr("the strokes extend beyond the surface"));
+  EXPECT_THAT(of_a_short_one[0].message.english(), testing::Not(HasSubstr("--for surface")));
   EXPECT_THAT(refusals(placed(cube(0.04), BodyRole::surface)), IsEmpty());
   // About its middle: from 30 mm above the plane to where no hand goes.
   const std::vector<Diagnostic> of_its_own_frame = refusals(cube(0.06));
   ASSERT_EQ(of_its_own_frame.size(), 1U);
-  EXPECT_THAT(of_its_own_frame[0].message,
+  EXPECT_THAT(of_its_own_frame[0].message.english(),
               HasSubstr("the tool \"ball\" begins inside the surface \"plate\""));
-  EXPECT_THAT(of_its_own_frame[0].message,
+  EXPECT_THAT(of_its_own_frame[0].message.english(),
               HasSubstr("the highest point of a surface must lie in that plane"));
 }
 
@@ -282,15 +284,15 @@ TEST_F(Bodies, WithATileThatDoesNotCloseGiveAWarningWithBothNumbersAndTheRemedy)
         "(stimuli/grain.png)",
         "under the tool \"ball\"", "the assumption fine_detail of pd_gradient (ticks of contact: ",
         "samples of 100 µm (cell_m) represent wavelengths of 800 µm and longer", "a cell_m of"}) {
-    EXPECT_THAT(found[0].message, HasSubstr(said));
+    EXPECT_THAT(found[0].message.english(), HasSubstr(said));
   }
   EXPECT_EQ(found[3].pointer, "/textures/grain");
   EXPECT_THAT(
-      found[3].message,
+      found[3].message.english(),
       HasSubstr(
           "used in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
           "\"felt_grain_pd_gradient_roll\": 0.02 m along x contain 12.5 spacings of 0.0016 m"));
-  EXPECT_THAT(found[3].message, HasSubstr("0.0192 m or 0.0208 m"));
+  EXPECT_THAT(found[3].message.english(), HasSubstr("0.0192 m or 0.0208 m"));
 
   // On a plate that shows less than one tile there is no seam to feel.
   replace_in_protocol("[0.04, 0.02, 0.01]", "[0.0198, 0.0198, 0.01]");
@@ -304,7 +306,7 @@ TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileGiveAWarning) {
     std::string all{};
     for (const Diagnostic& warning : warnings_about_textures(
              {load_protocol(protocol_, models_, study_), protocol_.string()}, study_)) {
-      all += warning.pointer + ' ' + warning.message + '\n';
+      all += warning.pointer + ' ' + warning.message.english() + '\n';
     }
     return all;
   };
@@ -312,8 +314,9 @@ TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileGiveAWarning) {
   EXPECT_EQ(said(), "");
   replace_in_protocol(R"("spacing_m": 0.0016)", R"("spacing_m": 0.003)");
   EXPECT_THAT(said(), HasSubstr("/textures/grain/spacing_m the texture \"grain\""));
-  EXPECT_THAT(said(), HasSubstr("a spacing of 0.003 m, but according to its sidecar the file was "
-                                "made with 0.0016 m; use a spacing_m of 0.0016 or another file"));
+  EXPECT_THAT(said(),
+              HasSubstr("a spacing of 0.003 m, but according to its sidecar the file was "
+                        "made with 0.0016 m; use a \"spacing_m\" of 0.0016 or another file"));
 }
 
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {
@@ -361,7 +364,7 @@ TEST_F(Bodies, AreListedAmongTheStimuli) {
   EXPECT_TRUE(std::holds_alternative<CylinderShape>(roll.shape.value()));
   EXPECT_NEAR(roll.size_m.y, 0.004, 1e-12);  // along its axis
   EXPECT_THAT(roll.used_by, ElementsAre("tools"));
-  EXPECT_THAT(named("stimuli/torn.mesh").problem, HasSubstr("torn.mesh"));
+  EXPECT_THAT(named("stimuli/torn.mesh").problem.english(), HasSubstr("torn.mesh"));
   EXPECT_GT(named("tools/ball").triangles, 100U);
   // Each was seen once, at its place.
   EXPECT_EQ(bodies.size(), 4U);

@@ -73,7 +73,8 @@ class ComparedDevice : public testing::Test {
 
   static std::vector<std::string> warnings(const DeviceComparison& comparison) {
     std::vector<std::string> sentences{};
-    for (const Diagnostic& warning : comparison.warnings) sentences.push_back(warning.message);
+    for (const Diagnostic& warning : comparison.warnings)
+      sentences.push_back(warning.message.english());
     return sentences;
   }
 
@@ -122,7 +123,8 @@ TEST_F(ComparedDevice, IsSaidNotToBeThere) {
 TEST_F(ComparedDevice, ThatGivesNoForceIsSaidToBeComparedWithNothing) {
   EXPECT_THAT(warnings(compared("mouse")), Contains(HasSubstr("exerts no force")));
   EXPECT_THAT(warnings(compared("mouse")), Each(Not(HasSubstr("device-test"))));
-  EXPECT_THAT(compared("replay:" + (study / "nofile").string()).refusal, HasSubstr("nofile"));
+  EXPECT_THAT(compared("replay:" + (study / "nofile").string()).refusal.english(),
+              HasSubstr("nofile"));
 }
 
 TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
@@ -250,7 +252,7 @@ TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
   const auto place_of = [this](const std::string& text) {
     const DeviceComparison comparison = compared("simulated");
     for (const Diagnostic& warning : comparison.warnings) {
-      if (warning.message.find(text) == std::string::npos) continue;
+      if (warning.message.english().find(text) == std::string::npos) continue;
       EXPECT_EQ(warning.file, "small.json");
       std::size_t begin = 0;
       for (int line = 1; line < warning.line; ++line) {
@@ -271,29 +273,30 @@ TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
 
 TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
   ask_for(R"("profile_maximum_age_days": 30)");
-  EXPECT_THAT(compared("simulated:falcon").refusal,
+  EXPECT_THAT(compared("simulated:falcon").refusal.english(),
               HasSubstr("device-test simulated:falcon --study"));
   DeviceProfile profile = good("in place of Novint Falcon");
   profile.measured_utc = "2025-12-01T10:00:00.000Z";
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("61.0 days old"));
+  EXPECT_THAT(compared("simulated:falcon").refusal.english(), HasSubstr("61.0 days old"));
   keep(good("in place of Novint Falcon"));
-  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  EXPECT_EQ(compared("simulated:falcon").refusal.english(), "");
   profile.measured_utc = "2031-01-01T10:00:00.000Z";
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("in the future"));
+  EXPECT_THAT(compared("simulated:falcon").refusal.english(), HasSubstr("in the future"));
 }
 
 TEST_F(ComparedDevice, IsRefusedWithoutAProfileWhereWarningsAreRefused) {
   ask_for(R"("refuse_rehearsal_warnings": true)");
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("the study has no profile of"));
-  EXPECT_EQ(compared("mouse").refusal, "") << "whoever chooses it knows that nothing is felt";
+  EXPECT_THAT(compared("simulated").refusal.english(), HasSubstr("the study has no profile of"));
+  EXPECT_EQ(compared("mouse").refusal.english(), "")
+      << "whoever chooses it knows that nothing is felt";
   keep(good());
-  EXPECT_EQ(compared("simulated").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal.english(), "");
   DeviceProfile sticky = good();
   sticky.items.front().value = 0.9;
   keep(sticky);
-  EXPECT_THAT(compared("simulated").refusal,
+  EXPECT_THAT(compared("simulated").refusal.english(),
               HasSubstr("requirements of the protocol that the device does not meet:"));
   EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("0.900 N")));
 }
@@ -305,18 +308,18 @@ TEST_F(ComparedDevice, IsHeldToTheLimitsOfThisProtocol) {
       {.name = "damping_N_s_per_m", .status = Status::fail, .value = 5.0, .limit = 6.0});
   keep(profile);
   ask_for(R"("profile_maximum_age_days": 30)");
-  EXPECT_EQ(compared("simulated").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal.english(), "");
   ask_for(R"("profile_maximum_age_days": 30, "limits": {"damping_N_s_per_m": 5.5})");
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed damping_N_s_per_m"));
+  EXPECT_THAT(compared("simulated").refusal.english(), HasSubstr("failed damping_N_s_per_m"));
   ask_for(R"("profile_maximum_age_days": 30)");
   profile.items.push_back(
       {.name = "force_zero_N", .status = Status::pass, .value = 0.5, .limit = 1.0});
   keep(profile);
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed force_zero_N"))
+  EXPECT_THAT(compared("simulated").refusal.english(), HasSubstr("failed force_zero_N"))
       << "no limit excuses a push";
   profile.items.back() = {.name = "zero_after_stop", .status = Status::fail};
   keep(profile);
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed zero_after_stop"));
+  EXPECT_THAT(compared("simulated").refusal.english(), HasSubstr("failed zero_after_stop"));
 }
 
 // It was tried, and there is not even a number.
@@ -325,10 +328,10 @@ TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
   profile.items.push_back({.name = "latency_s", .status = Status::not_measured});
   keep(profile);
   ask_for(R"("profile_maximum_age_days": 30)");
-  EXPECT_EQ(compared("simulated").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal.english(), "");
   profile.items.back().status = Status::fail;
   keep(profile);
-  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed latency_s"));
+  EXPECT_THAT(compared("simulated").refusal.english(), HasSubstr("failed latency_s"));
 }
 
 // Pressed as hard as their explorations accept, 2.5 N, friction of 0.2 is a damper of 50 N s/m. Bodies are behind a
@@ -349,7 +352,7 @@ TEST(LibraryProtocols, BuzzOnADelayedVelocityWhereTheyRenderPointsWithRoundedFri
       const DeviceComparison comparison =
           compare_with(sought, protocol, "library.json", std::nullopt, kNow, models);
       for (const Diagnostic& warning : comparison.warnings) {
-        if (warning.message.find("Near rest, the friction of") != std::string::npos) {
+        if (warning.message.english().find("Near rest, the friction of") != std::string::npos) {
           names.emplace(library.name);
         }
       }
@@ -387,8 +390,8 @@ TEST(LibraryProtocols, WarnOfTheFrictionOfAllLevelsOnce) {
                    "library.json", std::nullopt, kNow, models);
   std::vector<std::string> of_friction{};
   for (const Diagnostic& warning : comparison.warnings) {
-    if (warning.message.find("Near rest, the friction of") != std::string::npos) {
-      of_friction.push_back(warning.message);
+    if (warning.message.english().find("Near rest, the friction of") != std::string::npos) {
+      of_friction.push_back(warning.message.english());
     }
   }
   ASSERT_EQ(of_friction.size(), 1U);

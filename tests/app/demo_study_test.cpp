@@ -50,8 +50,9 @@ TEST_F(DemoStudy, HasToolsThatAreCheckedPlannedFeltAndAnswered) {
   write_file(file, coarse.dump(1), Overwrite::allow);
   const std::vector<Diagnostic> warnings = warnings_of(load_protocol(file, models, study));
   ASSERT_FALSE(warnings.empty());
-  EXPECT_THAT(warnings[0].message, HasSubstr("its shortest wavelength is 598 µm, and samples"));
-  EXPECT_THAT(warnings[0].message, HasSubstr("or a cell_m of 74 µm or less"));
+  EXPECT_THAT(warnings[0].message.english(),
+              HasSubstr("its shortest wavelength is 598 µm, and samples"));
+  EXPECT_THAT(warnings[0].message.english(), HasSubstr("or a cell_m of 74 µm or less"));
 
   auto main = protocol["blocks"]["main"];
   main["repetitions"] = 1;

@@ -32,8 +32,9 @@ TEST(ForceWarnings, NameAStimulusThatCannotReachTheRequestedForce) {
     const std::vector<Diagnostic> found = warnings(band);
     ASSERT_EQ(found.size(), 1U) << band;
     EXPECT_EQ(found.front().pointer, "/stimuli/rendered");
-    EXPECT_THAT(found.front().message, HasSubstr("exerts at most 1.50 N"));
-    EXPECT_THAT(found.front().message, HasSubstr("the exploration \"short\" requests 2 N"));
+    EXPECT_THAT(found.front().message.english(), HasSubstr("exerts at most 1.50 N"));
+    EXPECT_THAT(found.front().message.english(),
+                HasSubstr("the exploration \"short\" requests 2 N"));
   }
 }
 

@@ -76,8 +76,9 @@ TEST_F(LevelProblems, NameAFileInWhichAllHeightsAreTheSame) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/blocks/pairs/vary/parameter");
   EXPECT_EQ(found[0].line, 8);
-  EXPECT_THAT(found[0].message, HasSubstr("all heights of stimuli/flat.png are the same"));
-  EXPECT_THAT(found[0].message, HasSubstr("use a height field with a texture"));
+  EXPECT_THAT(found[0].message.english(),
+              HasSubstr("all heights of stimuli/flat.png are the same"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("use a height field with a texture"));
 }
 
 TEST_F(LevelProblems, NameLevelsThatAreTheSameValue) {
@@ -85,13 +86,13 @@ TEST_F(LevelProblems, NameLevelsThatAreTheSameValue) {
       "rough", R"("levels_percent": {"lowest": 5, "highest": 5.00000000002, "step": 1e-11})"));
   ASSERT_THAT(grid, SizeIs(1));
   EXPECT_EQ(grid[0].pointer, "/blocks/pairs/vary/levels_percent/step");
-  EXPECT_THAT(grid[0].message, HasSubstr("are the same value of \"height_scale\", 1.05"));
-  EXPECT_THAT(grid[0].message, HasSubstr("use a larger step"));
+  EXPECT_THAT(grid[0].message.english(), HasSubstr("are the same value of \"height_scale\", 1.05"));
+  EXPECT_THAT(grid[0].message.english(), HasSubstr("use a larger step"));
   const std::vector<Diagnostic> list =
       problems_of(scaled_reliefs("rough", R"("levels_percent": [5, 5.00000000001])"));
   ASSERT_THAT(list, SizeIs(1));
   EXPECT_EQ(list[0].pointer, "/blocks/pairs/vary/levels_percent");
-  EXPECT_THAT(list[0].message, HasSubstr("leave one of them out"));
+  EXPECT_THAT(list[0].message.english(), HasSubstr("leave one of them out"));
 }
 
 // The file has heights of 0 and 0.1 mm in steps of 1.5 nm. A step of 1e-6 per cent is 1 pm at the greatest height.

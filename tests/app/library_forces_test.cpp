@@ -19,7 +19,7 @@
 #include "app/tasks/protocol_templates.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/warnings/slew_warnings.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
@@ -177,7 +177,7 @@ TEST_F(DemoStudy, HasForcesSideBySideThatAreSentAsRendered) {
 TEST_P(LibraryForces, AreNotLimitedAtTheUpperEndOfTheBands) {
   for (const Diagnostic& warning :
        warnings_about_slew({library_protocol(), std::string(GetParam().name)}, builder())) {
-    ADD_FAILURE() << warning.message;
+    ADD_FAILURE() << warning.message.english();
   }
 }
 

@@ -51,7 +51,7 @@ TEST(ObserverWarnings, NameAForceThatDoesNotDependOnTheParameter) {
               R"({"material": {"friction": 0}, "observer": {"magnitude_of": "lateral_force"}})"));
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/blocks/comparisons/vary/parameter");
-  EXPECT_THAT(found[0].message,
+  EXPECT_THAT(found[0].message.english(),
               AllOf(HasSubstr("judges the variation of the lateral force, which does not change "
                               "with \"amplitude_m\": simulated responses are guesses."),
                     HasSubstr("\"magnitude_of\"")));
@@ -61,12 +61,12 @@ TEST(ObserverWarnings, NameAnEffectInTheOtherDirection) {
   const std::vector<Diagnostic> longer =
       warned(patched("spacing_jnd", R"({"observer": {"effect": null}})"));
   ASSERT_THAT(longer, SizeIs(1));
-  EXPECT_THAT(longer[0].message, AllOf(HasSubstr("which decreases by a factor of "),
-                                       HasSubstr("State \"effect\": \"decreases\"")));
+  EXPECT_THAT(longer[0].message.english(), AllOf(HasSubstr("which decreases by a factor of "),
+                                                 HasSubstr("State \"effect\": \"decreases\"")));
   const std::vector<Diagnostic> higher =
       warned(patched("amplitude_jnd", R"({"observer": {"effect": "decreases"}})"));
   ASSERT_THAT(higher, SizeIs(1));
-  EXPECT_THAT(higher[0].message, HasSubstr("State \"effect\": \"increases\""));
+  EXPECT_THAT(higher[0].message.english(), HasSubstr("State \"effect\": \"increases\""));
 }
 
 // With forces along the normal of the plane the lateral force stems from friction alone. It is proportional to the normal
@@ -77,7 +77,7 @@ TEST(ObserverWarnings, NameAnEffectThatIsTooWeakForTheNoiseOfTheObserver) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/blocks/comparisons/vary/parameter");
   EXPECT_THAT(
-      found[0].message,
+      found[0].message.english(),
       AllOf(HasSubstr("within the levels of \"amplitude_m\": with a \"feature_noise\" of 1 "
                       "and a \"lapse\" of 0.02 it distinguishes no level from the standard in "
                       "more than "),
@@ -95,7 +95,7 @@ TEST(StimulusWarnings, DoNotNeedAStudyForStimuliWithoutFiles) {
   const Protocol narrow = patched("spacing_jnd", R"({"surface": {"extent_m": [0.04, 0.1]}})");
   const std::vector<Diagnostic> found = warnings_about_stimuli({narrow, "p.json"}, without_files);
   ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found[0].message, HasSubstr("the patches are 17 mm wide"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("the patches are 17 mm wide"));
   EXPECT_THAT(warnings_about_stimuli({patched("photo_matching", "{}"), "p.json"}, without_files),
               IsEmpty());
 }
@@ -115,7 +115,7 @@ TEST(ObserverWarnings, NameACriterionThatSeparatesNoSurfaces) {
   const std::vector<Diagnostic> found = of_criterion("2");
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/observer/yes_above");
-  EXPECT_THAT(found[0].message,
+  EXPECT_THAT(found[0].message.english(),
               AllOf(HasSubstr("judges the variation of the normal force, which is 0."),
                     HasSubstr("nearly all simulated responses are the same")));
   EXPECT_THAT(of_criterion("0.024"), IsEmpty());

@@ -1,12 +1,13 @@
 // Words that can be said in another language.
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 #include <new>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "app/words/phrased_error.h"
 #include "app/words/time_ago.h"
 
 namespace asperity {
@@ -82,6 +83,9 @@ TEST(Phrase, OfAnErrorIsWhatTheErrorSays) {
   const PhrasedError phrased(phrase("Test", "%1 of %2 were felt").with("3", "7"));
   EXPECT_STREQ(phrased.what(), "3 of 7 were felt");
   EXPECT_EQ(phrase_of(phrased).translated(german), "gefühlt: 7, davon 3");
+  const PhrasedRefusal refusal(phrase("Test", "%1 of %2 were felt").with("3", "7"));
+  EXPECT_EQ(phrase_of(refusal).translated(german), "gefühlt: 7, davon 3");
+  EXPECT_THROW(throw PhrasedRefusal("the surface"), std::invalid_argument);
   EXPECT_EQ(phrase_of(std::runtime_error("the surface")).translated(german), "the surface");
 }
 

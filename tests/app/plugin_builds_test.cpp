@@ -117,7 +117,7 @@ TEST_F(PluginBuilds, OfOneVersionAreWarnedOfWithBothDigestsAtTheirStimulus) {
   const std::vector<Diagnostic> found = warnings();
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found.front().pointer, "/stimuli/rendered");
-  EXPECT_THAT(found.front().message,
+  EXPECT_THAT(found.front().message.english(),
               AllOf(HasSubstr("force model stochastic, version 1 (attempts: 3, SHA-256: " +
                               kFormer + "; the loaded plug-in has the SHA-256 " + kLoaded + ")"),
                     HasSubstr("; raise the version of the plug-in if its forces have changed")));

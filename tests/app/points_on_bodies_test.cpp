@@ -109,10 +109,10 @@ TEST_F(PointsOnBodies, WhoseBodyLiesNowhereUnderTheHandAreRefusedBeforeASession)
       rehearse({load_protocol(protocol_, models_, study_), protocol_.string()}, builder);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].pointer, "/bodies/stone");
-  EXPECT_THAT(found[0].message,
+  EXPECT_THAT(found[0].message.english(),
               HasSubstr("no part of the surface \"stone\" (stimuli/stone.mesh) lies under the path "
                         "of the hand"));
-  EXPECT_THAT(found[0].message, HasSubstr("the strokes extend beyond the surface"));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("the strokes extend beyond the surface"));
 }
 
 // The plane cannot exert 2 N; this is not examined where a session would fail anyway.
@@ -124,7 +124,9 @@ TEST_F(PointsOnBodies, AreExaminedNoFurtherWhereTheHandWouldMissThem) {
     return examine_stimuli({load_protocol(protocol_, models_, study_), protocol_.string()}, study_,
                            builder);
   };
-  const auto says = Contains(Field(&Diagnostic::message, HasSubstr("exerts at most 1.50 N")));
+  const auto says =
+      Contains(Field(&Diagnostic::message,
+                     testing::Property(&Phrase::english, HasSubstr("exerts at most 1.50 N"))));
   StimulusExamination found = examined();
   EXPECT_THAT(found.problems, IsEmpty());
   EXPECT_THAT(found.warnings, says);

@@ -73,7 +73,8 @@ class PositionStep : public ProtocolInStudy {
                                                      load_protocol(protocol_, models_, study_),
                                                      "paths.json", study_, kToday, models_);
     std::vector<std::string> sentences{};
-    for (const Diagnostic& warning : comparison.warnings) sentences.push_back(warning.message);
+    for (const Diagnostic& warning : comparison.warnings)
+      sentences.push_back(warning.message.english());
     return sentences;
   }
   void set_stiffness(const std::string& stiffness) {
@@ -155,8 +156,10 @@ TEST(LibraryProtocols, HaveAFeltPositionStepOnAFalconBehindTheCouplingOnly) {
     const DeviceComparison comparison =
         compare_with(falcon, protocol, "library.json", std::nullopt, kToday, models);
     for (const Diagnostic& warning : comparison.warnings) {
-      if (warning.message.find("one step changes the force by") == std::string::npos) continue;
-      EXPECT_THAT(warning.message, HasSubstr("coupling_stiffness_N_per_m to 520 or less"));
+      if (warning.message.english().find("one step changes the force by") == std::string::npos)
+        continue;
+      EXPECT_THAT(warning.message.english(),
+                  HasSubstr("coupling_stiffness_N_per_m to 520 or less"));
       warned.emplace(library.name);
     }
     StimulusBuilder without_files(models, {});

@@ -65,7 +65,7 @@ class ProtocolFromTemplate : public testing::Test {
     std::string problems{};
     for (const Diagnostic& problem :
          check_protocol(file, models_, study_, std::nullopt).diagnostics) {
-      problems += problem.pointer + ": " + problem.message + "\n";
+      problems += problem.pointer + ": " + problem.message.english() + "\n";
     }
     return problems;
   }
@@ -96,7 +96,7 @@ TEST_F(ProtocolFromTemplate, HasItsTextsInTheChosenLanguage) {
       const std::string text = read_file(file);
       const ProtocolCheck check = check_protocol(file, models_, std::nullopt, std::nullopt);
       ASSERT_TRUE(check.is_valid()) << file;
-      EXPECT_TRUE(check.warnings.empty()) << file << check.warnings.front().message;
+      EXPECT_TRUE(check.warnings.empty()) << file << check.warnings.front().message.english();
       EXPECT_EQ(check.protocol->language, language);
       EXPECT_EQ(languages_of_protocol(file).size(), 1U) << "no translation next to it";
       EXPECT_EQ(check.protocol->title == read_protocol(source, "", declarations_of(models_)).title,
@@ -238,7 +238,7 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   const TemplateChoice of_study = with(own, "map_of_renderings");
   const ProtocolCheck map = check(of_study);
   ASSERT_FALSE(map.diagnostics.empty());
-  EXPECT_THAT(map.diagnostics.front().message, testing::HasSubstr("\"recording\""));
+  EXPECT_THAT(map.diagnostics.front().message.english(), testing::HasSubstr("\"recording\""));
   EXPECT_FALSE(check(with({own.front()}, "photo_matching")).is_valid());
   // The files of the template's textures are not in the study yet.
   EXPECT_TRUE(
@@ -248,7 +248,8 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   const auto file = protocol_from_template(study_, of_study);
   const ProtocolCheck written = check_protocol(file, models_, study_, std::nullopt);
   ASSERT_EQ(written.diagnostics.size(), map.diagnostics.size());
-  EXPECT_EQ(written.diagnostics.front().message, map.diagnostics.front().message);
+  EXPECT_EQ(written.diagnostics.front().message.english(),
+            map.diagnostics.front().message.english());
 }
 
 TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {

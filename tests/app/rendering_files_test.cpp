@@ -74,11 +74,13 @@ TEST(Renderings, OfAnotherVersionAreRefusedWithTheRemedy) {
       replaced(text_of(strong_grain()), "asperity.rendering/1", "asperity.rendering/2"));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].line, 2);
-  EXPECT_THAT(problems[0].message,
+  EXPECT_THAT(problems[0].message.english(),
               HasSubstr("reads asperity.rendering/1, not asperity.rendering/2"));
-  EXPECT_THAT(problems[0].message, HasSubstr("use the version of Asperity that wrote the file"));
+  EXPECT_THAT(problems[0].message.english(),
+              HasSubstr("use the version of Asperity that wrote the file"));
   for (const char* const other : {"[]", "{}", R"({"format": "asperity.protocol/1"})"}) {
-    EXPECT_THAT(problems_of(other).at(0).message, HasSubstr("this is not a rendering")) << other;
+    EXPECT_THAT(problems_of(other).at(0).message.english(), HasSubstr("this is not a rendering"))
+        << other;
   }
 }
 
@@ -87,8 +89,8 @@ TEST(Renderings, HaveProblemsWithPlacesAndSuggestions) {
   text = replaced(text, "\"version\":", "\"x-version\":");
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 2U);
-  EXPECT_THAT(problems[0].message, HasSubstr("version"));
-  EXPECT_THAT(problems[1].message, HasSubstr("did you mean \"friction\""));
+  EXPECT_THAT(problems[0].message.english(), HasSubstr("version"));
+  EXPECT_THAT(problems[1].message.english(), HasSubstr("did you mean \"friction\""));
   EXPECT_EQ(problems[1].pointer, "/material/fricton");
   EXPECT_GT(problems[1].line, 10);
 }
@@ -98,7 +100,7 @@ TEST(Renderings, HaveATextureInsideTheStudy) {
     const auto problems = problems_of(replaced(text_of(strong_grain()), "stimuli/grain.png", path));
     ASSERT_EQ(problems.size(), 1U) << path;
     EXPECT_EQ(problems[0].pointer, "/texture/height_field");
-    EXPECT_THAT(problems[0].message, HasSubstr("name a file inside the study"));
+    EXPECT_THAT(problems[0].message.english(), HasSubstr("name a file inside the study"));
   }
 }
 

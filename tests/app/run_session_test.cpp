@@ -1,6 +1,5 @@
 // The way into a session: who takes part, what was asked before, for which hand.
 
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 
 #include <stdexcept>
@@ -12,8 +11,10 @@
 #include "app/records/session_conditions.h"
 #include "app/report/text/study_report.h"
 #include "app/tasks/checks/session_checks.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/session_run.h"
 #include "app/tasks/verify/verify_study.h"
+#include "app/words/phrased_error.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"

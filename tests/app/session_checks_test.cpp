@@ -100,8 +100,8 @@ TEST_F(SessionChecks, NameWhatCheckWarnsOf) {
   const SessionCheck warned = check("protocol_warnings");
   EXPECT_EQ(warned.state, State::look);
   ASSERT_EQ(warned.warnings.size(), 1U);
-  EXPECT_NE(warned.warnings[0].message.find("question uses the factor \"go\""), std::string::npos)
-      << warned.warnings[0].message;
+  EXPECT_NE(warned.warnings[0].message.english().find("question uses the factor \"go\""), std::string::npos)
+      << warned.warnings[0].message.english();
   EXPECT_FALSE(warned.remedy.empty());
   std::string text = small_protocol();
   const std::string crossed = R"("crossed": ["go"])";
@@ -145,6 +145,10 @@ TEST_F(SessionChecks, StopAtAProtocolThatIsNotValid) {
   ASSERT_EQ(checks.size(), 1U);
   EXPECT_EQ(checks.front().id, "protocol");
   EXPECT_EQ(checks.front().state, State::stop);
+  EXPECT_EQ(checks.front().text.english(),
+            inputs.protocol.filename().string() +
+                ", line 1: the text ends before the JSON is complete; close every quotation mark "
+                "and bracket.");
 }
 
 TEST_F(SessionChecks, NameTheHolderOfAParticipantWhoseSessionRuns) {

@@ -1,7 +1,5 @@
 // The language of sessions: translations next to a protocol, and what a participant keeps.
 
-#include "app/tasks/check_protocol.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/session_language.h"
 
 #include <filesystem>
@@ -14,10 +12,12 @@
 
 #include "app/study_files/protocol_languages.h"
 #include "app/study_files/study_protocols.h"
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/warnings/session_warnings.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -181,8 +181,9 @@ TEST_F(SessionLanguage, CannotBeThatOfATranslationWithAProblem) {
   const ProtocolCheck own = check_protocol(file_, models_, study_folder_, {});
   EXPECT_TRUE(own.is_valid());
   ASSERT_EQ(own.warnings.size(), 1U);
-  EXPECT_THAT(own.warnings[0].message, HasSubstr("no session can run in the language \"de\": "
-                                                 "small.de.json has 3 problems"));
+  EXPECT_THAT(own.warnings[0].message.english(),
+              HasSubstr("no session can run in the language \"de\": "
+                        "small.de.json has 3 problems"));
   const ProtocolCheck translation = check_protocol(german_, models_, study_folder_, {});
   EXPECT_FALSE(translation.is_valid());
   ASSERT_EQ(translation.diagnostics.size(), 3U);
@@ -200,7 +201,7 @@ TEST_F(SessionLanguage, IsExaminedWithTheTranslatedTexts) {
     const ProtocolCheck check = check_protocol(file_, models_, study_folder_, {});
     EXPECT_TRUE(check.is_valid());
     std::vector<std::string> messages{};
-    for (const Diagnostic& warning : check.warnings) messages.push_back(warning.message);
+    for (const Diagnostic& warning : check.warnings) messages.push_back(warning.message.english());
     return messages;
   };
   EXPECT_THAT(warnings_with("Willkommen."), IsEmpty());

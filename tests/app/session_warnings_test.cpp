@@ -34,7 +34,7 @@ TEST(SessionWarnings, AreNoneWithoutAStudyAndStateThatOneCannotBeRead) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].pointer, "/version");
   EXPECT_GT(found[0].line, 1);
-  EXPECT_THAT(found[0].message, HasSubstr("could not be determined: "));
+  EXPECT_THAT(found[0].message.english(), HasSubstr("could not be determined: "));
 }
 
 }  // namespace

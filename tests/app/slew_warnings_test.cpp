@@ -36,12 +36,14 @@ TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
   const std::vector<Diagnostic> found = warnings(100'000.0, 0.3);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().pointer, "/stimuli/rendered");
-  EXPECT_THAT(found.front().message, HasSubstr("(model height_map) would be limited in "));
-  EXPECT_THAT(found.front().message, HasSubstr(" ticks of strokes at 300 mm/s and 1 N and in "));
-  EXPECT_THAT(found.front().message,
+  EXPECT_THAT(found.front().message.english(),
+              HasSubstr("(model height_map) would be limited in "));
+  EXPECT_THAT(found.front().message.english(),
+              HasSubstr(" ticks of strokes at 300 mm/s and 1 N and in "));
+  EXPECT_THAT(found.front().message.english(),
               HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration \"short\""))
       << "100 kN/m · 50 µm are 5 N in a millisecond";
-  EXPECT_THAT(found.front().message, HasSubstr("by more than 1 N"));
+  EXPECT_THAT(found.front().message.english(), HasSubstr("by more than 1 N"));
   std::vector<double> progress{};
   std::stop_source stop{};
   course = {.stop = stop.get_token(), .progress = [&](double done) { progress.push_back(done); }};
@@ -80,9 +82,11 @@ TEST(SlewWarnings, NameWhatWouldBeLimitedWhereTheHandTouchesDown) {
   EXPECT_TRUE(warnings_of_lateral_force(1.0, "").empty());
   const std::vector<Diagnostic> found = warnings_of_lateral_force(10.0, "");
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_THAT(found.front().message, HasSubstr("(model lateral_gradient) would be limited in "));
-  EXPECT_THAT(found.front().message, HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration"));
-  EXPECT_THAT(found.front().message, Not(HasSubstr("ticks of strokes")));
+  EXPECT_THAT(found.front().message.english(),
+              HasSubstr("(model lateral_gradient) would be limited in "));
+  EXPECT_THAT(found.front().message.english(),
+              HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration"));
+  EXPECT_THAT(found.front().message.english(), Not(HasSubstr("ticks of strokes")));
 }
 
 TEST(SlewWarnings, TakeTheAmplitudeOfEqualForce) {

@@ -42,7 +42,8 @@ TEST_F(SpeechFiles, AreMissedWhereTheProtocolNamesThem) {
   const std::vector<Diagnostic> found = problems();
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().pointer, "/environment/speech/question");
-  EXPECT_NE(found.front().message.find("speech/which.wav is not in the study"), std::string::npos);
+  EXPECT_NE(found.front().message.english().find("speech/which.wav is not in the study"),
+            std::string::npos);
 }
 
 TEST_F(SpeechFiles, HaveToBeWav) {
@@ -50,7 +51,7 @@ TEST_F(SpeechFiles, HaveToBeWav) {
     write("speech/which.wav", content);
     const std::vector<Diagnostic> found = problems();
     ASSERT_EQ(found.size(), 1U) << content;
-    EXPECT_NE(found.front().message.find("is not a WAV file"), std::string::npos);
+    EXPECT_NE(found.front().message.english().find("is not a WAV file"), std::string::npos);
   }
   write("speech/which.wav", "RIFF1234WAVEfmt ");
   EXPECT_TRUE(problems().empty());

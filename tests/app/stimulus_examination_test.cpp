@@ -37,7 +37,7 @@ class StimulusExaminations : public testing::Test {
   /// How many of them say so.
   static std::ptrdiff_t count(const std::vector<Diagnostic>& diagnostics, const std::string& what) {
     return std::count_if(diagnostics.begin(), diagnostics.end(), [&what](const auto& one) {
-      return one.message.find(what) != std::string::npos;
+      return one.message.english().find(what) != std::string::npos;
     });
   }
 
@@ -70,7 +70,7 @@ TEST_F(StimulusExaminations, AreAddedToACheckInTheOrderOfLines) {
               .warnings = {{.line = 7, .message = "seventh"}, {.line = 1, .message = "first"}}});
   const auto messages_of = [](const std::vector<Diagnostic>& diagnostics) {
     std::vector<std::string> messages{};
-    for (const Diagnostic& one : diagnostics) messages.push_back(one.message);
+    for (const Diagnostic& one : diagnostics) messages.push_back(one.message.english());
     return messages;
   };
   EXPECT_THAT(messages_of(check.warnings), ElementsAre("first", "third", "seventh"));

@@ -1,6 +1,5 @@
 // Stimuli are renamed with all references, deleted if nothing refers to them, and copied without replacing a file.
 
-#include "app/tasks/check_protocol.h"
 #include "app/tasks/stimulus_files.h"
 
 #include <csignal>
@@ -15,7 +14,8 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/program.h"
 #include "app/study_files/rendering_files.h"
-#include "app/words/phrase.h"
+#include "app/tasks/check_protocol.h"
+#include "app/words/phrased_error.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/displayed_table.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {

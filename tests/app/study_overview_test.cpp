@@ -143,12 +143,12 @@ TEST(StimulusOverviews, SayWhatAReliefIsAndWhatIsWrongWithAFile) {
   EXPECT_EQ(count_stimuli(study, built_in_models()), 1) << "a photograph is none";
   EXPECT_EQ(stimuli[0].path, "stimuli/grain.png");
   EXPECT_EQ(stimuli[0].kind, StimulusOverview::Kind::height_field);
-  EXPECT_EQ(stimuli[0].problem, "");
+  EXPECT_TRUE(stimuli[0].problem.empty());
   EXPECT_GT(stimuli[0].rms_m, 0.0);
   EXPECT_EQ(stimuli[0].relief.rows, 32U);
   EXPECT_EQ(stimuli[1].kind, StimulusOverview::Kind::picture);
   EXPECT_EQ(stimuli[1].columns, 2U);
-  EXPECT_THAT(stimuli[2].problem, HasSubstr("torn.png"));
+  EXPECT_THAT(stimuli[2].problem.english(), HasSubstr("torn.png"));
 }
 
 }  // namespace

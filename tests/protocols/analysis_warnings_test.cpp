@@ -24,7 +24,8 @@ std::vector<std::string> warnings_of(const json& file) {
   const Protocol protocol = test::valid(file, test::models_of_library());
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning : warnings_about_analysis(protocol, "file.json")) {
-    warnings.push_back(warning.pointer + ": " + warning.message);
+    warnings.push_back(warning.pointer + ": " + warning.message.english());
+    EXPECT_EQ(test::untranslated(warning.message), "");
   }
   return warnings;
 }

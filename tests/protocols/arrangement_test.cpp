@@ -136,11 +136,11 @@ TEST(ArrangementOfATrial, RefusesWhatCannotBePresented) {
        [](J&, J& b) {
          b["arrangement"]["exposure"] = {{"strokes", 2}, {"contact_s", 2}};
        }},
-      {"/arrangement/exposure/contact_s", "state a longer contact_s",
+      {"/arrangement/exposure/contact_s", "state a longer \"contact_s\"",
        [](J&, J& b) {
          b["arrangement"]["exposure"] = {{"contact_s", 0.5}};
        }},
-      {"/arrangement/exposure/contact_s", "raise maximum_contact_s",
+      {"/arrangement/exposure/contact_s", "raise \"maximum_contact_s\"",
        [](J&, J& b) {
          b["arrangement"]["exposure"] = {{"contact_s", 5.9}};
        }},

@@ -570,7 +570,8 @@ TEST(ExpectedTrials, AreExactWhereTracksEndByTheirNumberOfTrials) {
 std::vector<std::string> training_warnings_of(const json& file) {
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning : warnings_about(test::valid(file), "file.json")) {
-    warnings.push_back(warning.pointer + ": " + warning.message);
+    warnings.push_back(warning.pointer + ": " + warning.message.english());
+    EXPECT_EQ(test::untranslated(warning.message), "");
   }
   return warnings;
 }
@@ -622,7 +623,8 @@ std::vector<std::string> plan_warnings_of(const json& file) {
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning :
        warnings_about_plan(protocol, "file.json", example_plan(protocol, {1, 0}))) {
-    warnings.push_back(warning.pointer + ": " + warning.message);
+    warnings.push_back(warning.pointer + ": " + warning.message.english());
+    EXPECT_EQ(test::untranslated(warning.message), "");
   }
   return warnings;
 }
@@ -665,7 +667,7 @@ TEST(BreaksAfterContact, NeedAPause) {
   json file = staircases();
   file["flow"][2]["break_every_contact_minutes"] = 5;
   EXPECT_THAT(test::problems_in(file),
-              ElementsAre(HasSubstr("/flow/2: break_every_contact_minutes needs a \"pause\"")));
+              ElementsAre(HasSubstr("/flow/2: \"break_every_contact_minutes\" needs a \"pause\"")));
   file["flow"][2]["pause"] = {{"minimum_s", 30}};
   EXPECT_TRUE(test::problems_in(file).empty());
   file["flow"][2].erase("break_every_contact_minutes");

@@ -3,6 +3,8 @@
 #include "protocols/file/device_limit.h"
 
 #include <limits>
+#include <optional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,8 +16,9 @@ using testing::HasSubstr;
 using testing::Optional;
 
 TEST(DeviceLimit, IsRefusedWhereAProtocolRefusesIt) {
-  const auto complaint = [](const char* item, double limit) {
-    return complaint_about({.item = item, .limit = limit}, 1000.0);
+  const auto complaint = [](const char* item, double limit) -> std::optional<std::string> {
+    const auto found = complaint_about({.item = item, .limit = limit}, 1000.0);
+    return found ? std::optional(found->english()) : std::nullopt;
   };
   EXPECT_EQ(complaint("friction_N", 0.2), std::nullopt);
   EXPECT_EQ(complaint("missed_deadlines", 3.0), std::nullopt);

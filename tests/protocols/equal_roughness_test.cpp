@@ -302,7 +302,7 @@ TEST(EqualRoughness, MatchesWithinTenMinutes) {
       warnings_about_plan(slow, "file.json", example_plan(slow, {.seed = 1}));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings.front().pointer, "/blocks/matching/procedure");
-  EXPECT_THAT(warnings.front().message, HasSubstr("10 min"));
+  EXPECT_THAT(warnings.front().message.english(), HasSubstr("10 min"));
 }
 
 // --- files ---------------------------------------------------------------------------------------
@@ -377,7 +377,7 @@ TEST(EqualRoughness, NeedsModelsWithAnAmplitude) {
   const ProtocolReading reading = test::reading_of(file, models);
   ASSERT_EQ(reading.problems.size(), 1U);
   EXPECT_EQ(reading.problems.front().pointer, "/blocks/matching/vary/parameter");
-  EXPECT_THAT(reading.problems.front().message, HasSubstr("has no amplitude"));
+  EXPECT_THAT(reading.problems.front().message.english(), HasSubstr("has no amplitude"));
 }
 
 TEST(EqualRoughness, HasAStandardOfOneInStoredProtocols) {

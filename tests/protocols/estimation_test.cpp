@@ -82,8 +82,9 @@ Protocol read_models(const EstimatedModels& models) {
 }
 
 auto has_problem(const std::string& pointer, const std::string& part) {
-  return Contains(testing::AllOf(Field(&Diagnostic::pointer, pointer),
-                                 Field(&Diagnostic::message, HasSubstr(part))));
+  return Contains(testing::AllOf(
+      Field(&Diagnostic::pointer, pointer),
+      Field(&Diagnostic::message, testing::Property(&Phrase::english, HasSubstr(part)))));
 }
 
 TEST(Estimation, TakesStimuliThatHaveNoSpacing) {

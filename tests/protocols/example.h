@@ -56,8 +56,9 @@ inline std::vector<ModelDeclaration> example_models() {
                            number("cell_m", 1e-6, 1e-3, 1e-4)};
   two_bodies.conflict_among = [](const ParameterValues& values) {
     return std::get<double>(values.at("step")) < std::get<double>(values.at("cell"))
-               ? std::optional(ParameterConflict{.parameters = {"step", "cell"},
-                                                 .message = "a step is at least a cell"})
+               ? std::optional(
+                     ParameterConflict{.parameters = {"step", "cell"},
+                                       .message = phrase("Test", "a step is at least a cell")})
                : std::nullopt;
   };
   return {height_map, sinusoid, stochastic, plain, two_bodies};

@@ -363,9 +363,9 @@ TEST(NewValues, HaveTheFormOfTheirShape) {
     const json value = json::parse(new_value(shown.shape, names).dump());
     const ValidPart part = valid_part(value, shown.shape, "", shown.pointer);
     for (const FormProblem& problem : part.problems) {
-      if (problem.message.find("empty") != std::string::npos)
+      if (problem.message.english().find("empty") != std::string::npos)
         continue;  // a text that the author has to write
-      ADD_FAILURE() << shown.pointer << ": " << problem.message << " " << value.dump();
+      ADD_FAILURE() << shown.pointer << ": " << problem.message.english() << " " << value.dump();
     }
   }
 }

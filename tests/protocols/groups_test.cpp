@@ -219,7 +219,7 @@ TEST(Groups, AreWhatATestOfThemNeeds) {
       R"("analysis": {"target": "sinusoid", "family": ["groups"]}, "flow")";
   EXPECT_EQ(problems_in(replaced(grouped(), "\"flow\"", declared)), "");
   EXPECT_THAT(problems_in(replaced(test::example_selection(), "\"flow\"", declared)),
-              HasSubstr("add the key groups"));
+              HasSubstr("add the key \"groups\""));
 }
 
 // Attributes of simulated participants alternate, their sex for one: it must not tell the groups.

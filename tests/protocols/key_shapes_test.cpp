@@ -30,7 +30,7 @@ std::pair<std::vector<std::string>, std::optional<json>> examined(const ValueSha
   ValidPart part = valid_part(json::parse(text), shape, "A value.", "/v");
   std::vector<std::string> problems{};
   for (const FormProblem& problem : part.problems) {
-    problems.push_back(problem.pointer + ": " + problem.message);
+    problems.push_back(problem.pointer + ": " + problem.message.english());
   }
   return {std::move(problems), std::move(part.value)};
 }

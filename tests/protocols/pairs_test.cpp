@@ -138,7 +138,7 @@ TEST(AllPairs, RefuseWhatWouldNotBeAllPairs) {
   EXPECT_THAT(problem_in_block(with("positions", "shuffle"), "/positions"),
               HasSubstr("both orders"));
   EXPECT_THAT(problem_in_block(with("crossed", {"texture"}), "/all_pairs/factor"),
-              HasSubstr("already set by crossed"));
+              HasSubstr("already set by \"crossed\""));
   EXPECT_THAT(problem_in_block(with("all_pairs", {{"factor", "grain"}}), "/all_pairs/factor"),
               HasSubstr("grain"));
   EXPECT_THAT(

@@ -85,7 +85,8 @@ std::vector<std::string> problems_with(json root, const std::string& text) {
   std::vector<std::string> messages{};
   for (const Diagnostic& each :
        read_protocol_with_problems(root.dump(), "test.json", models()).problems) {
-    messages.push_back(each.message);
+    messages.push_back(each.message.english());
+    EXPECT_EQ(test::untranslated(each.message), "");
   }
   return messages;
 }
@@ -186,7 +187,8 @@ TEST(Placeholders, OfTheSessionAreRefusedInBlocks) {
   const auto reading = read_protocol_with_problems(root.dump(), "test.json", models());
   ASSERT_EQ(reading.problems.size(), 1U);
   EXPECT_EQ(reading.problems.front().pointer, "/blocks/ratings/page_prompt");
-  EXPECT_THAT(reading.problems.front().message, HasSubstr("is known when a session begins"));
+  EXPECT_THAT(reading.problems.front().message.english(),
+              HasSubstr("is known when a session begins"));
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ std::vector<Diagnostic> problems_of(const std::string& text) {
   try {
     (void)read_protocol(text, "p.json", test::example_models());
   } catch (const ProtocolError& error) {
+    test::expect_translatable(error.diagnostics());
     return error.diagnostics();
   }
   return {};
@@ -71,7 +72,7 @@ void expect_complaint(const std::string& text, const Fault& fault) {
   const bool found = std::any_of(
       problems.begin(), problems.end(), [&, l = line, c = column](const Diagnostic& problem) {
         return problem.line == l && problem.column == c && problem.pointer == fault.pointer &&
-               problem.message.find(fault.words) != std::string::npos;
+               problem.message.english().find(fault.words) != std::string::npos;
       });
   std::string all{};
   for (const Diagnostic& problem : problems) all += text_of(problem) + "\n";
@@ -150,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
               R"("pd_gradient"})", "/stimuli/felt/equal_force/to_model", "rms_N"},
         Fault{"AScaledMotion", R"("realism_standard": "memory",)",
               R"("realism_standard": "memory", "surface": {"motion_scale": 2},)", "2},",
-              "/surface/motion_scale", "set motion_scale to 1"},
+              "/surface/motion_scale", "set \"motion_scale\" to 1"},
         Fault{"AFactorThatTheBlockDoesNotSet", R"("with": {"held": "rasp"}, "item": "rasp")",
               R"("item": "rasp")", R"({"stimulus": "felt", "item": "rasp"})",
               "/blocks/main/presented/2", "held"}),
@@ -272,7 +273,7 @@ const Fault kMeaning[] = {
      "/stimuli/rendered/parameters/law", "literal"},
     {"solved_parameter_given", R"("model": {"factor": "model"})",
      R"("model": "sinusoid", "parameters": {"amplitude_m": 0.001})", R"("amplitude_m")",
-     "/stimuli/rendered/parameters/amplitude_m", "equal_force determines"},
+     "/stimuli/rendered/parameters/amplitude_m", "\"equal_force\" determines"},
     {"amplitude_of_the_reference_given", R"("model": {"factor": "model"})",
      R"("model": "height_map", "parameters": {"height_scale": 3})", R"("height_scale")",
      "/stimuli/rendered/parameters/height_scale", "at its default"},
@@ -427,7 +428,7 @@ const Fault kMatching[] = {
      R"(4, "of_last")", "/blocks/practice/until/correct",
      "the criterion cannot be met: it requires 4 correct of 3"},
     {"criterion_beyond_the_block", R"("maximum_trials": 6)", R"("maximum_trials": 9)", "9,",
-     "/blocks/practice/until/maximum_trials", "set repetitions to 9"},
+     "/blocks/practice/until/maximum_trials", R"(set "repetitions" to 9)"},
     {"blindfold_scene", R"("vision": "blindfold",)",
      R"("vision": "blindfold", "scene": {"visual_texture": "on"},)", R"("scene")",
      "/environment/scene", "a blindfolded participant sees no scene"},
@@ -435,7 +436,7 @@ const Fault kMatching[] = {
      R"("pictures_after_feeling": false)",
      R"(["metal", "stone", "wood", "brick"],
         "reshuffle)",
-     "/blocks/familiarisation/question/pictures", "set pictures_after_feeling to true"},
+     "/blocks/familiarisation/question/pictures", "set \"pictures_after_feeling\" to true"},
     {"noise_without_level", R"("kind": "pink", "level_dBA": 65)", R"("kind": "pink")",
      R"({"kind": "pink"})", "/environment/masking_noise", R"(add the key "level_dBA")"},
     {"level_of_no_noise", R"("kind": "pink")", R"("kind": "none")", R"("level_dBA")",
@@ -452,7 +453,7 @@ const Fault kMatching[] = {
      R"({},)", "/environment/scene/visual_texture", "visual_texture"},
     {"mask_with_revisits", R"("allow_revisit": false)", R"("allow_revisit": true)",
      "true,\n        \"allow_revisit\"", "/blocks/familiarisation/question/pictures_after_feeling",
-     "allow_revisit to false"},
+     R"("allow_revisit" to false)"},
 };
 
 const Fault kRecognition[] = {
@@ -516,6 +517,24 @@ TEST(PlantedFaults, OneMistakeGetsOneComplaint) {
   }
 }
 
+TEST(PlantedFaults, AnotherObjectWithAKeyOfTheSameNameIsCheckedStill) {
+  nlohmann::json file = test::library_file("roughness_force");
+  file["explorations"]["light"]["maximum_contact_s"] = "soon";
+  file["explorations"]["medium"]["minimum_contact_s"] = 60;
+  std::vector<std::string> places{};
+  for (const Diagnostic& problem : problems_of(file.dump(1))) places.push_back(problem.pointer);
+  EXPECT_THAT(places, testing::UnorderedElementsAre("/explorations/light/maximum_contact_s",
+                                                    "/explorations/medium/minimum_contact_s"));
+}
+
+TEST(PlantedFaults, ANumberIsStatedAsItIsWritten) {
+  nlohmann::json file = test::library_file("roughness_force");
+  file["device"]["rate_Hz"] = 300000;
+  const auto problems = problems_of(file.dump(1));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message.english(), testing::StartsWith("300000 is too large"));
+}
+
 TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
   // A session draws three of the four textures: a lucky one would not come across brick.
   std::string text = test::library_text("chapter_recognition");
@@ -524,7 +543,7 @@ TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
   text.replace(text.find(from), from.size(), R"("pictures": ["metal", "stone", "wood", )");
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].message.find("the correct response \"brick\" is not among"),
+  EXPECT_NE(problems[0].message.english().find("the correct response \"brick\" is not among"),
             std::string::npos);
 }
 
@@ -536,7 +555,7 @@ TEST(PlantedFaults, ASessionWithoutEndIsRefused) {
   text.replace(text.find(run), run.size(), runs);  // 901 × 6 trials
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].message.find("more than 5000 trials"), std::string::npos);
+  EXPECT_NE(problems[0].message.english().find("more than 5000 trials"), std::string::npos);
 }
 
 TEST(PlantedFaults, AnOrderThatCannotBeMetIsRefused) {
@@ -550,7 +569,8 @@ TEST(PlantedFaults, AnOrderThatCannotBeMetIsRefused) {
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].pointer, "/blocks/main/maximum_in_a_row");
-  EXPECT_NE(problems[0].message.find("no order of the block's 12 trials"), std::string::npos);
+  EXPECT_NE(problems[0].message.english().find("no order of the block's 12 trials"),
+            std::string::npos);
 }
 
 TEST(PlantedFaults, AMessageBeginsWithFileLineAndColumn) {
@@ -591,8 +611,8 @@ TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
   for (const auto& [text, words] : cases) {
     const auto problems = problems_of(text);
     ASSERT_EQ(problems.size(), 1U) << text.substr(0, 40);
-    EXPECT_NE(problems[0].message.find(words), std::string::npos)
-        << text.substr(0, 40) << " → " << problems[0].message;
+    EXPECT_NE(problems[0].message.english().find(words), std::string::npos)
+        << text.substr(0, 40) << " → " << problems[0].message.english();
   }
 }
 
@@ -633,7 +653,7 @@ TEST(PlantedFaults, ASyntaxErrorStatesItsCorrection) {
     ASSERT_EQ(problems.size(), 1U) << one.text;
     EXPECT_THAT(text_of(problems[0]), testing::StartsWith("p.json:" + one.place + ": "))
         << one.text;
-    EXPECT_THAT(problems[0].message, testing::HasSubstr(one.correction)) << one.text;
+    EXPECT_THAT(problems[0].message.english(), testing::HasSubstr(one.correction)) << one.text;
   }
 }
 
@@ -660,7 +680,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"AMixedCondition", R"("crossed": ["texture"])", R"("crossed": ["texture", "tip"])",
               R"({
       "phase": "main")",
-              "/blocks/main", "run this block for_each level of \"tip\""},
+              "/blocks/main", "run this block \"for_each\" level of \"tip\""},
         Fault{"AConditionThatNothingSets", R"("for_each": "tip",)", "", R"({
       "phase": "main")",
               "/blocks/main", "this main block does not set the condition \"tip\""},
@@ -698,7 +718,7 @@ TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
   replace(R"({"check": "device"})", R"({"check": "devise"})");
   const std::vector<Diagnostic> problems = problems_of(text);
   std::vector<std::string> messages{};
-  for (const Diagnostic& problem : problems) messages.push_back(problem.message);
+  for (const Diagnostic& problem : problems) messages.push_back(problem.message.english());
   EXPECT_THAT(messages,
               testing::ElementsAre(testing::HasSubstr("\"staircase\" is not permitted here"),
                                    testing::HasSubstr("the key 'name' occurs twice"),
@@ -748,7 +768,7 @@ TEST(Problems, OfOneWrongValueAreOne) {
     for (const Diagnostic& problem : problems) all += text_of(problem) + '\n';
     ASSERT_EQ(problems.size(), 1U) << each.to << '\n' << all;
     EXPECT_EQ(problems[0].pointer, each.pointer) << all;
-    EXPECT_THAT(problems[0].message, testing::HasSubstr(each.words));
+    EXPECT_THAT(problems[0].message.english(), testing::HasSubstr(each.words));
   }
 }
 
@@ -771,7 +791,8 @@ TEST(Problems, HideNoLevelOfTheSameFactor) {
     ASSERT_NE(at, std::string::npos);
     text.replace(at, std::string(from).size(), to);
     std::vector<std::string> messages{};
-    for (const Diagnostic& problem : problems_of(text)) messages.push_back(problem.message);
+    for (const Diagnostic& problem : problems_of(text))
+      messages.push_back(problem.message.english());
     EXPECT_EQ(messages.size(), 2U);
     EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("there is no texture \"granite\"")))
         << to;
@@ -783,7 +804,7 @@ TEST(Problems, OfABinaryFileSayThatItIsNoText) {
                                    std::string("\xff\xd8\xff\xe0", 4), std::string("{  \0}", 5)}) {
     const std::vector<Diagnostic> problems = problems_of(bytes);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_THAT(problems[0].message, testing::StartsWith("this is not a JSON text file"));
+    EXPECT_THAT(problems[0].message.english(), testing::StartsWith("this is not a JSON text file"));
   }
 }
 
@@ -796,7 +817,7 @@ TEST(Problems, OfAZeroByteHaveItsPlace) {
   text.insert(at, 1, '\0');
   const std::vector<Diagnostic> problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_THAT(problems[0].message,
+  EXPECT_THAT(problems[0].message.english(),
               testing::StartsWith("the file contains a zero byte (U+0000); delete"));
   const auto [line, column] = place_in(text, end);
   EXPECT_EQ(problems[0].line, line);
@@ -810,7 +831,7 @@ TEST(Problems, NameTypesInPlainEnglish) {
   text.replace(at, text.find('"', at + title.size()) + 1 - at, R"("title": 3)");
   const std::vector<Diagnostic> problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_THAT(problems[0].message,
+  EXPECT_THAT(problems[0].message.english(),
               testing::StartsWith("3 is not permitted here: write text in quotation marks"));
 }
 
@@ -843,14 +864,17 @@ TEST(Problems, OfAValueInAnotherUnitAreOneAndStateTheValueThatWasMeant) {
     const std::vector<Diagnostic> problems = problems_of(text);
     ASSERT_EQ(problems.size(), 1U) << each.to;
     EXPECT_EQ(problems[0].pointer, each.pointer);
-    EXPECT_THAT(problems[0].message, testing::HasSubstr(each.words));
+    EXPECT_THAT(problems[0].message.english(), testing::HasSubstr(each.words));
   }
 }
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> warnings_with(const std::string& from, const std::string& to) {
   const std::string text = replaced(test::library_text("roughness_force"), from, to);
-  return warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+  std::vector<Diagnostic> warnings =
+      warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+  test::expect_translatable(warnings);
+  return warnings;
 }
 
 TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
@@ -861,7 +885,7 @@ TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
     const char* words;
   } const kCases[] = {
       {R"("required_fraction_in_band": 0.6,)", "", "/explorations/light/on_failure",
-       "while required_fraction_in_band is 0"},
+       "while \"required_fraction_in_band\" is 0"},
       {R"("maximum_contact_s": 8)", R"("maximum_contact_s": 2)",
        "/explorations/light/strokes/target", "do not fit into the 2 s"},
       {R"("strokes": {"minimum": 2, "target": 3})", R"("strokes": {"minimum": 30, "target": 40})",
@@ -878,7 +902,8 @@ TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
     const std::vector<Diagnostic> warnings = warnings_with(each.from, each.to);
     ASSERT_EQ(warnings.size(), 1U) << each.to;
     EXPECT_EQ(warnings[0].pointer, each.pointer);
-    EXPECT_NE(warnings[0].message.find(each.words), std::string::npos) << warnings[0].message;
+    EXPECT_NE(warnings[0].message.english().find(each.words), std::string::npos)
+        << warnings[0].message.english();
     EXPECT_GT(warnings[0].line, 1);
   }
 }
@@ -909,9 +934,11 @@ TEST(Warnings, AreAboutASelectionAmongLevelsOfOneParameter) {
       warnings_about(read_protocol(text, "p.json", test::example_models()), "p.json");
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].pointer, "/blocks/main/presented");
-  EXPECT_NE(warnings[0].message.find("differ in \"height_scale\" alone"), std::string::npos)
-      << warnings[0].message;
-  EXPECT_NE(warnings[0].message.find("not whether levels can be discriminated"), std::string::npos);
+  EXPECT_NE(warnings[0].message.english().find("differ in \"height_scale\" alone"),
+            std::string::npos)
+      << warnings[0].message.english();
+  EXPECT_NE(warnings[0].message.english().find("not whether levels can be discriminated"),
+            std::string::npos);
 }
 
 TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {

@@ -29,8 +29,9 @@ UpDownTrack valid_track() {
 }
 
 auto problem(const std::string& setting, const std::string& remedy) {
-  return AllOf(Field(&ProcedureProblem::setting, setting),
-               Field(&ProcedureProblem::message, HasSubstr(remedy)));
+  return AllOf(
+      Field(&ProcedureProblem::setting, setting),
+      Field(&ProcedureProblem::message, testing::Property(&Phrase::english, HasSubstr(remedy))));
 }
 
 /// The problems of the valid track after a change.

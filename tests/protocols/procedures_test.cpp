@@ -432,14 +432,15 @@ TEST(UnforcedWeightedUpDown, RefusesATargetWithoutAStepAfterCannotTell) {
   WeightedUpDown method = unforced(2);
   method.target = 0.5;
   ASSERT_EQ(problems_of(method).size(), 1U);
-  EXPECT_THAT(problems_of(method).front().message, testing::HasSubstr("is not above 1/2"));
+  EXPECT_THAT(problems_of(method).front().message.english(),
+              testing::HasSubstr("is not above 1/2"));
   method.unforced_alternatives.reset();
   EXPECT_TRUE(problems_of(method).empty());
   method = unforced(3);
   method.steps_down = {1.0};  // 5/3 of it is no level
   ASSERT_EQ(problems_of(method).size(), 1U);
   EXPECT_EQ(problems_of(method).front().setting, "target");
-  EXPECT_THAT(problems_of(method).front().message, testing::HasSubstr("a finer grid"));
+  EXPECT_THAT(problems_of(method).front().message.english(), testing::HasSubstr("a finer grid"));
 }
 
 // ψ = D + (1 − D)/2, where D is the probability of perceiving the difference; half of the observer's guesses are replaced by

@@ -19,6 +19,7 @@
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/untranslated.h"
 #include "tests/support/replaced.h"
 
 namespace asperity::test {
@@ -72,6 +73,7 @@ inline ProtocolReading reading_of(const nlohmann::json& file,
   for (const Diagnostic& problem : reading.problems) {
     EXPECT_GT(problem.line, problem.pointer.empty() ? 0 : 1) << text_of(problem);
   }
+  expect_translatable(reading.problems);
   return reading;
 }
 
@@ -89,7 +91,7 @@ inline std::string problems_at(const nlohmann::json& file, const std::string& po
   std::string messages{};
   for (const Diagnostic& problem : reading_of(file, models).problems) {
     if (problem.pointer != pointer) continue;
-    messages += (messages.empty() ? "" : "\n") + problem.message;
+    messages += (messages.empty() ? "" : "\n") + problem.message.english();
   }
   return messages;
 }
@@ -98,7 +100,7 @@ inline std::string problems_at(const nlohmann::json& file, const std::string& po
 inline std::vector<std::string> problems_in(const nlohmann::json& file) {
   std::vector<std::string> problems{};
   for (const Diagnostic& problem : reading_of(file).problems) {
-    problems.push_back(problem.pointer + ": " + problem.message);
+    problems.push_back(problem.pointer + ": " + problem.message.english());
   }
   return problems;
 }

@@ -158,7 +158,7 @@ std::string problems_of_assets(const std::string& of_metal, const std::string& o
     read_protocol(with_assets(of_metal, of_stone), "example.json", models_with_an_asset());
   } catch (const ProtocolError& error) {
     for (const Diagnostic& each : error.diagnostics()) {
-      said += each.pointer + ": " + each.message + '\n';
+      said += each.pointer + ": " + each.message.english() + '\n';
     }
   }
   return said;
@@ -195,7 +195,7 @@ TEST(ProtocolReader, RefusesAModelAboveTheRateAtWhichItKeepsItsPeriod) {
   file["device"]["rate_Hz"] = 1001;
   EXPECT_EQ(test::problems_at(file, "/factors/model/levels/1", models),
             "a tick of the force model sinusoid takes longer than a period at the 1001 Hz of "
-            "/device/rate_Hz: set rate_Hz to at most 1000, or choose another model");
+            "/device/rate_Hz: set it to at most 1000, or choose another model");
 }
 
 TEST(NamedFile, OfAHeightFieldIsTwoFiles) {

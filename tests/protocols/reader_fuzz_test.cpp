@@ -22,7 +22,7 @@ bool survives(const std::string& text) {
   } catch (const ProtocolError& error) {
     EXPECT_FALSE(error.diagnostics().empty());
     for (const Diagnostic& diagnostic : error.diagnostics()) {
-      EXPECT_FALSE(diagnostic.message.empty());
+      EXPECT_FALSE(diagnostic.message.english().empty());
       EXPECT_GE(diagnostic.line, 1);
       EXPECT_GE(diagnostic.column, 1);
     }

@@ -87,7 +87,7 @@ TEST(Arithmetic, StatesWhatCannotBeRead) {
   const auto problem = [](const std::string& formula) {
     const auto parsed = Arithmetic::parse(formula);
     const auto* const found = std::get_if<ArithmeticProblem>(&parsed);
-    return found == nullptr ? std::string() : found->text;
+    return found == nullptr ? std::string() : found->text.english();
   };
   EXPECT_EQ(problem("speed /"), "a number, a factor or \"(\" is missing at character 8");
   EXPECT_EQ(problem("(1 + 2"), "a \")\" is missing at character 7");
@@ -203,7 +203,7 @@ TEST(MinimumDistance, IsRefusedWithTheReasonWhereItCannotBeMet) {
               HasSubstr("the level \"0.02\" has 4 trials, which at a distance of 4 need 13 "
                         "positions, but the block has 12 trials"));
   EXPECT_THAT(problems_of_waves(R"("order": "fixed", "minimum_distance": {"wavelength": 2},)"),
-              HasSubstr("the fixed order of this block violates minimum_distance"));
+              HasSubstr("the fixed order of this block violates \"minimum_distance\""));
   // Each alone is possible: six positions of each wavelength in turn leave none for the third speed.
   EXPECT_THAT(problems_of_waves(R"("minimum_distance": {"wavelength": 2, "speed": 4},)"),
               HasSubstr("(/blocks/main/minimum_distance)"));
@@ -238,7 +238,7 @@ TEST(FixedPositions, AreRefusedWithTheReasonWhereTheyCannotBeMet) {
   EXPECT_THAT(problems_of_waves(R"("minimum_distance": {"speed": 2},
          "fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
          {"position": 2, "levels": {"speed": 0.08}}],)"),
-              HasSubstr("satisfies fixed_positions together with the other constraints"));
+              HasSubstr("satisfies \"fixed_positions\" together with the other constraints"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<std::string> warned(const json& file) {
   const Protocol protocol = test::valid(file, test::models_of_library());
   std::vector<std::string> warnings{};
   for (const Diagnostic& warning : warnings_about_texture_use(protocol, "file.json")) {
-    warnings.push_back(warning.pointer + ": " + warning.message);
+    warnings.push_back(warning.pointer + ": " + warning.message.english());
   }
   return warnings;
 }

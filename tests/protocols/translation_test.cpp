@@ -67,7 +67,7 @@ std::vector<std::string> messages_of(const std::vector<Diagnostic>& diagnostics)
   for (const Diagnostic& each : diagnostics) {
     EXPECT_EQ(each.file, "felt.de.json");
     EXPECT_GT(each.line, 1) << "not at its entry";
-    messages.push_back(each.message);
+    messages.push_back(each.message.english());
   }
   return messages;
 }

@@ -90,7 +90,7 @@ TEST(TrialCondition, IsRefusedWhereTheAnswerIsNotKnownBefore) {
   json protocol = with_condition(R"({"question": "sure", "at_most": 2})");
   protocol["blocks"]["main"]["question_order"] = "shuffle";
   EXPECT_THAT(test::problems_at(protocol, "/blocks/main/questions/2/if"),
-              HasSubstr("set question_order to \"fixed\""));
+              HasSubstr("set \"question_order\" to \"fixed\""));
 }
 
 }  // namespace

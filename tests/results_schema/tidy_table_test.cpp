@@ -142,9 +142,9 @@ TEST(TidyTable, NamesCharactersAsOtherReadersDo) {
   for (const UnseenCharacter& each : kUnseenCharacters) {
     const auto known = look_alike_at(each.bytes);
     ASSERT_TRUE(known) << each.name;
-    EXPECT_EQ(each.name, known->name);
+    EXPECT_EQ(each.name, known->character.english());
   }
-  EXPECT_EQ(look_alike_at(kMinusSign)->name, "a minus sign (U+2212)");
+  EXPECT_EQ(look_alike_at(kMinusSign)->character.english(), "a minus sign (U+2212)");
 }
 
 TEST(TidyTable, SkipsTheLineInWhichASpreadsheetStatesTheSeparator) {

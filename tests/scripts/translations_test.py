@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Every text of the windows has its finished translation, with the same places for values.
 
-Texts are what app/gui passes through tr(), what app/ makes with phrase() for windows and terminal, and what
-protocols/keys states about keys ("Keys")."""
+Texts are what app/gui passes through tr(), what analysis/, app/, protocols/, stimuli/ and renderers/ make with phrase()
+for windows and terminal, and what tables of keys contain, most of them in protocols/keys ("Keys")."""
 import os
 import re
 import subprocess
@@ -46,12 +46,13 @@ def complain(language, key, what):
 
 def sources():
     """(path, text)"""
-    for folder, _, files in os.walk(os.path.join(ROOT, "app")):
-        for name in files:
-            if name.endswith((".h", ".cpp")):
-                path = os.path.join(folder, name)
-                with open(path, encoding="utf-8") as source:
-                    yield os.path.relpath(path, ROOT), source.read()
+    for component in ("analysis", "app", "protocols", "stimuli", "renderers"):
+        for folder, _, files in os.walk(os.path.join(ROOT, component)):
+            for name in files:
+                if name.endswith((".h", ".cpp")):
+                    path = os.path.join(folder, name)
+                    with open(path, encoding="utf-8") as source:
+                        yield os.path.relpath(path, ROOT), source.read()
 
 
 def names_without_namespace():

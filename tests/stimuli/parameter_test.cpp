@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -46,7 +47,19 @@ TEST(Parameter, AcceptsBothEndsOfItsRange) {
 TEST(Parameter, RefusesANumberOutsideItsRangeWithTheRange) {
   EXPECT_EQ(complaint_about(kSpacing, 0.06),
             "spacing_m is 0.06 m; it must be a number from 1e-04 to 0.05 m.");
+  EXPECT_EQ(problem_of_value(kSpacing, 0.06),
+            "spacing_m is 0.06 m; it must be a number from 1e-04 to 0.05 m");
   EXPECT_TRUE(complaint_about(kSpacing, 0.9e-4));
+}
+
+TEST(Parameter, IsRefusedInTheLanguageOfAWindow) {
+  const auto look_up = [](const char* context, const char* words) -> std::string {
+    const std::string text = words;
+    if (context == nullptr) return text == "0.06" ? "0,06" : text;
+    return text == "%1 is %2; it must be %3%4" ? "%1 = %2: %3%4" : text;
+  };
+  EXPECT_EQ(complaint_about(kSpacing, 0.06)->translated(look_up),
+            "spacing_m = 0,06 m: a number from 1e-04 to 0.05 m.");
 }
 
 TEST(Parameter, StatesTheNumberThatAnotherUnitMeans) {

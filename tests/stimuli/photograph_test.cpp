@@ -11,6 +11,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "analysis/words/phrased_error.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -198,6 +199,16 @@ TEST(Photograph, IgnoresTheOrientationThatACameraNotes) {
 TEST(Photograph, IsKnownByItsContentAndNotByItsName) {
   EXPECT_EQ(inspect_picture(encoded(ramp(CV_8UC1), ".jpg"), "wall.png").format,
             PictureFormat::jpeg);
+}
+
+TEST(Photograph, RefusesInAnyLanguage) {
+  try {
+    inspect_picture({}, "wall.png");
+    FAIL() << "an empty file is no picture";
+  } catch (const PhrasedRefusal& refusal) {
+    EXPECT_TRUE(refusal.said().can_be_translated());
+    EXPECT_STREQ(refusal.what(), refusal.said().english().c_str());
+  }
 }
 
 TEST(Photograph, RefusesWhatIsNoPictureWithTheNameAndWhatWouldBeRight) {

@@ -190,14 +190,16 @@ TEST(PhotographAdvice, SaysSoWhenThePictureTellsNothing) {
 }
 
 TEST(PhotographAdvice, GivesTheNumbersAndWhatCannotBeKnown) {
-  const std::string words = advice({.skewness = -0.812, .anisotropy = 0.1, .direction_rad = 0.0});
+  const std::string words =
+      advice({.skewness = -0.812, .anisotropy = 0.1, .direction_rad = 0.0}).english();
   EXPECT_THAT(words, HasSubstr("Skewness -0.81, anisotropy 0.1"));
   EXPECT_THAT(words, HasSubstr("bright is high: the correct sign is 1. "));
   EXPECT_THAT(words, HasSubstr("One photograph cannot show"));
-  EXPECT_THAT(advice({.skewness = 0.0, .anisotropy = 0.6, .direction_rad = 0.785398}),
+  EXPECT_THAT(advice({.skewness = 0.0, .anisotropy = 0.6, .direction_rad = 0.785398}).english(),
               HasSubstr("along 45°"));
   // Both observations are told where there are two.
-  const std::string both = advice({.skewness = 1.1, .anisotropy = 0.6, .direction_rad = -1e-3});
+  const std::string both =
+      advice({.skewness = 1.1, .anisotropy = 0.6, .direction_rad = -1e-3}).english();
   EXPECT_THAT(both, HasSubstr("along 0°"));
   EXPECT_THAT(both, HasSubstr("if they lie low (light mortar between bricks), it is -1"));
 }

@@ -33,7 +33,7 @@ TEST(SyntheticSurface, HasTheKindsOfTheCommandLine) {
     EXPECT_FALSE(declaration.summary.empty());
     for (const Parameter& parameter : declaration.parameters) {
       EXPECT_FALSE(complaint_about(parameter, parameter.default_value));
-      EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
+      EXPECT_TRUE(parameter.meaning.can_be_translated()) << parameter.name;
     }
   }
   EXPECT_THAT(kinds, ::testing::ElementsAre("sinusoid", "grating", "cones", "noise", "metal",
@@ -76,7 +76,7 @@ TEST(SyntheticSurface, RepeatsWithoutASeam) {
 
 std::string seam_said(const std::string& kind, const ParameterValues& values, double width_m) {
   const auto seam = seam_of(kind, values, {.width_m = width_m, .pixels = 400});
-  return seam ? text_of(*seam) : "closed";
+  return seam ? text_of(*seam).english() : "closed";
 }
 
 TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
@@ -109,7 +109,7 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
   const auto said = [](double spacing_m, std::size_t pixels) {
     const auto coarse = coarse_samples_of("sinusoid", {{"spacing_m", spacing_m}},
                                           {.width_m = 0.02, .pixels = pixels});
-    return coarse ? text_of(*coarse) : "enough";
+    return coarse ? text_of(*coarse).english() : "enough";
   };
   EXPECT_EQ(said(0.001, 80),
             "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 per spacing, so that "

@@ -40,7 +40,7 @@ ParameterValues parameters_from(const std::vector<std::string>& assignments,
       value = *number;
     }
     if (const auto complaint = complaint_about(*parameter, value)) {
-      throw std::runtime_error(what + ": " + *complaint);
+      throw std::runtime_error(what + ": " + complaint->english());
     }
     const auto [given, is_first] = values.emplace(name, value);
     if (!is_first && given->second != value) {
@@ -66,7 +66,7 @@ std::string described(const std::vector<Parameter>& parameters) {
       lines +=
           "  [" + text_of_number(parameter.minimum) + " to " + text_of_number(parameter.maximum);
     }
-    lines += "]  " + parameter.meaning + '\n';
+    lines += "]  " + parameter.meaning.english() + '\n';
   }
   return lines;
 }

@@ -108,7 +108,7 @@ int ShownOutput::sync() { return target_->pubsync(); }
 
 std::string warning_text(const Diagnostic& warning) {
   return warning.file + ':' + std::to_string(warning.line) + ':' + std::to_string(warning.column) +
-         ": warning: " + warning.message + " (" + warning.pointer + ')';
+         ": warning: " + warning.message.english() + " (" + warning.pointer + ')';
 }
 
 void say_condition(const Study& study) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 #include "results_schema/study.h"
 #include "results_schema/tables/table.h"

@@ -11,10 +11,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "analysis/words/phrase.h"
 #include "app/device_bench/device_bench.h"
 #include "app/device_bench/device_test.h"
 #include "app/profiles/device_profile.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -173,7 +173,7 @@ void learn_declaration(const std::string& model, const Parameter& parameter,
   const auto found = vocabulary.parameters.find(parameter.name);
   if (found == vocabulary.parameters.end() || !found->second.models.contains(model)) return;
   StudyVocabulary::ParameterMeaning& meaning = found->second;
-  meaning.meanings.insert(parameter.meaning);
+  meaning.meanings.insert(parameter.meaning.english());
   if (parameter.kind == ParameterKind::choice) {
     meaning.levels.insert(parameter.choices.begin(), parameter.choices.end());
     return;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "analysis/numbers/finding.h"
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 #include "protocols/design/analysis_declaration.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

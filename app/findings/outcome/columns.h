@@ -2,9 +2,9 @@
 
 #pragma once
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 
 namespace asperity::columns {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

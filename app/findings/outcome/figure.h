@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

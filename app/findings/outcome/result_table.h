@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/words/phrase.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/shown_parameters.h"
 #include "app/findings/outcome/study_test.h"
-#include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/tidy/quantity_name.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

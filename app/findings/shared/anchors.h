@@ -2,11 +2,11 @@
 
 #pragma once
 
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/outcome/tally.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

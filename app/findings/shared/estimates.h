@@ -9,12 +9,12 @@
 #include <tuple>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

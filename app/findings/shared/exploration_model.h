@@ -2,10 +2,10 @@
 
 #pragma once
 
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/explored_rows.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/result_table.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/shared/participant_pairs.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

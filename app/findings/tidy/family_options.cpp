@@ -89,7 +89,7 @@ std::string place_of_error(const std::string& text, const std::string& file_name
   } catch (const ProtocolError& error) {
     const Diagnostic& first = error.diagnostics().front();
     return ": line " + std::to_string(first.line) + ", column " + std::to_string(first.column) +
-           ": " + first.message;
+           ": " + first.message.english();
   }
   return {};
 }

@@ -2,6 +2,9 @@
 
 #include "app/gui/base/form_words.h"
 
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <QtCore/QCoreApplication>
@@ -10,10 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/look/words.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/form/form_entries.h"
 #include "protocols/form/form_pages.h"
 #include "protocols/keys/tables.h"
+#include "protocols/keys/texts_of_keys.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
@@ -21,6 +27,54 @@ namespace {
 
 /// Between the parts of a path.
 const QString kOfPath = QStringLiteral(" › ");
+
+struct FormWords {
+  Q_DECLARE_TR_FUNCTIONS(FormWords)
+};
+
+QString in_quotes_of_form(const QString& label) { return FormWords::tr("“%1”").arg(label); }
+
+/// The label of a key, given in quotation marks: that of the innermost object that has such a key, or else the only one that any object
+/// has. Unchanged where there is none.
+QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_view quoted) {
+  const std::string_view name = quoted.substr(1, quoted.size() - 2);
+  static const std::map<std::string_view, std::string_view> kLabels = labels_of_keys();
+  const auto only = kLabels.find(name);
+  std::string_view label = only == kLabels.end() ? std::string_view() : only->second;
+  for (const KeyTable* const table : around) {  // the innermost last
+    const ProtocolKey* const key = table == nullptr ? nullptr : table->find(name);
+    if (key != nullptr) label = key->label;
+  }
+  if (label.empty()) return text(std::string(quoted));
+  return in_quotes_of_form(text_of_keys(label));
+}
+
+/// The number at the place, as the form displays it; nullopt for another value.
+std::optional<NumberShape> number_at(const nlohmann::json& protocol, const std::string& pointer) {
+  if (!protocol.contains(nlohmann::json::json_pointer(pointer))) return {};
+  const std::optional<ValueShape> shape = shape_at(kProtocolTable, protocol, pointer);
+  const auto* const bound = shape ? std::get_if<BoundShape>(&*shape) : nullptr;
+  const ValueShape* const own = bound != nullptr ? bound->value : shape ? &*shape : nullptr;
+  const auto* const number = own == nullptr ? nullptr : std::get_if<NumberShape>(own);
+  if (number == nullptr) return {};
+  return displayed_shape(*number, pointer);
+}
+
+/// "500 mm" of 0.5 m.
+std::string number_in_form(const std::optional<NumberShape>& shape, const std::string& in_file,
+                           const Phrase::LookUp& windows) {
+  if (!shape) return windows(nullptr, in_file.c_str());
+  const std::string shown = displayed_number(*shape, in_file).value_or(in_file);
+  const std::string_view unit =
+      shape->display.unit.empty() ? shape->unit : std::string_view(shape->display.unit);
+  return windows(nullptr, shown.c_str()) + (unit.empty() ? "" : ' ' + std::string(unit));
+}
+
+/// Only English sentences have the words of the file; translations have those of the form.
+QString with_settings(const std::string& sentence) {
+  static const QRegularExpression kKey("\\bkey(?=s?\\b)");
+  return text(sentence).replace(kKey, "setting");
+}
 
 }  // namespace
 
@@ -42,38 +96,32 @@ QString place_in_form(const nlohmann::json& protocol, const std::string& pointer
 }
 
 QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
-  QString sentence = text(remark.message);
   std::vector<const KeyTable*> tables{&kProtocolTable};  // of the objects around the value
   for (const PathPart& part : path_of(protocol, remark.pointer)) {
-    if (tables.back() != nullptr && !part.is_label) return sentence;  // an unknown key
+    const bool is_known = tables.back() == nullptr || part.is_label;
+    if (!is_known) return words_of(remark.message);
     tables.push_back(part.table);
   }
-  if (tables.size() == 1) return sentence;  // about the whole text
-  static const QRegularExpression quoted("\"([^\"]+)\"");
-  for (qsizetype from = 0;;) {
-    const QRegularExpressionMatch match = quoted.match(sentence, from);
-    if (!match.hasMatch()) break;
-    QString shown = match.captured();
-    // Elsewhere than in the names of keys, the words of a sentence often occur as keys of the whole protocol.
-    const bool is_key = sentence.first(match.capturedStart()).endsWith("key ");
-    for (const KeyTable* const table : tables) {  // the innermost last
-      const bool can_have_it = table != nullptr && (is_key || table != &kProtocolTable);
-      const ProtocolKey* const key =
-          can_have_it ? table->find(match.captured(1).toStdString()) : nullptr;
-      if (key != nullptr) shown = "“" + text_of_keys(key->label) + "”";
-    }
-    sentence.replace(match.capturedStart(), match.capturedLength(), shown);
-    from = match.capturedStart() + shown.size();
-  }
-  static const QRegularExpression key_word("\\bkey(?=s?\\b)");
-  return sentence.replace(key_word, "setting");
+  if (tables.size() == 1) return words_of(remark.message);  // about the whole text
+  const std::optional<NumberShape> number = number_at(protocol, remark.pointer);
+  const Phrase::LookUp look_up = [&protocol, &tables, &number, windows = words_of_windows()](
+                                     const char* context, const char* words) {
+    if (context == nullptr) return windows(context, words);
+    const std::string_view of(context);
+    if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
+    if (of == kNumbersOfFile) return number_in_form(number, words, windows);
+    const bool has_other_unit = number && !number->display.unit.empty();
+    if (of == kUnitsOfFile && has_other_unit) return std::string();
+    if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();
+    const std::string sentence = windows(context, words);
+    return sentence == words ? with_settings(sentence).toStdString() : sentence;
+  };
+  return text(remark.message.translated(look_up));
 }
 
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
   if (protocol.is_discarded() && remark.line > 0) {
-    return QCoreApplication::translate("FormWords", "Line %1: %2")
-        .arg(remark.line)
-        .arg(text(remark.message));
+    return FormWords::tr("Line %1: %2").arg(remark.line).arg(words_of(remark.message));
   }
   const QString place = place_in_form(protocol, remark.pointer);
   const QString sentence = sentence_in_form(protocol, remark);

@@ -90,7 +90,8 @@ void StimulusExaminer::begin_next() {
       [this](const Found& found) { deliver(found); },
       [this](const QString& what) {
         const Diagnostic warning{.message =
-                                     "the stimuli could not be examined: " + what.toStdString()};
+                                     phrase("Protocols", "the stimuli could not be examined: %1")
+                                         .with(what.toStdString())};
         deliver({.result = std::make_shared<const StimulusExamination>(
                      StimulusExamination{.warnings = {warning}})});
       });

@@ -7,8 +7,8 @@
 
 #include <QtWidgets/QFrame>
 
+#include "analysis/words/phrase.h"
 #include "app/gui/look/background_task.h"
-#include "app/words/phrase.h"
 #include "results_schema/rows.h"
 
 class QComboBox;

@@ -28,6 +28,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/warnings/session_warnings.h"
+#include "app/words/phrased_error.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
@@ -234,6 +235,7 @@ QWidget* ProtocolEditorPage::make_plan_side() {
   plan_side_->setObjectName("editor_plan_side");
   plan_ = new PlanPreview(PlanPreview::Shape::tall, plan_side_);
   screen_ = new ScreenPreview(study().folder(), plan_side_);
+  screen_->add_group_choice(plan_->make_group_choice(screen_));
   precision_ = new PrecisionView(study(), plan_side_);
   why_no_plan_ = make_text({}, plan_side_, true);
   why_no_plan_->setObjectName("editor_why_no_plan");
@@ -272,9 +274,8 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   try {
     bytes = read_file(protocol, kProtocolFile);
   } catch (const std::exception& error) {
-    banner().show_news(
-        State::stop,
-        tr("The protocol could not be read: %1").arg(QString::fromStdString(message_of(error))));
+    banner().show_news(State::stop,
+                       tr("The protocol could not be read: %1").arg(words_of(phrase_of(error))));
     return;
   }
   banner().hide();
@@ -518,7 +519,8 @@ void ProtocolEditorPage::list_problems() {
   const auto protocol = nlohmann::json::parse(edit_->text().toStdString(), nullptr, false);
   const auto add = [&](const Diagnostic& remark, const QString& form) {
     const QString sentence =
-        form.arg(is_form ? sentence_in_form(protocol, remark) : text(remark.message));
+        form.arg(is_form ? sentence_in_form(protocol, remark)
+                         : text(remark.message.translated(language_of_windows())));
     rows.push_back({QString::number(rows.size()),
                     {number_cell(remark.line), text_cell(sentence),
                      text_cell(place_in_form(protocol, remark.pointer))}});

@@ -127,7 +127,7 @@ void ProtocolTextEdit::add_underlines(const std::vector<Diagnostic>& places, con
     underline.cursor.setPosition(static_cast<int>(range.start + range.length),
                                  QTextCursor::KeepAnchor);
     underlines_.append(underline);
-    sentences_.push_back(QString::fromStdString(problem.message));
+    sentences_.push_back(QString::fromStdString(problem.message.translated(language_of_windows())));
   }
 }
 

@@ -207,7 +207,7 @@ void ProtocolViews::go_to_problem(std::size_t index) {
 void ProtocolViews::show_in_text(const std::string& pointer) {
   const std::string written = edit_->text().toStdString();
   try {
-    const Diagnostic place = JsonDocument(written, {}).at_key(pointer, {});
+    const Diagnostic place = JsonDocument(written, {}).at_key(pointer, Phrase());
     set_view(View::text);
     edit_->go_to(static_cast<int>(position_of(edit_->text(), place.line, place.column)));
   } catch (const ProtocolError&) {

@@ -149,7 +149,7 @@ std::optional<KeyHelp> SchemaHelp::of_parameter(const QString& name) const {
       if (text(parameter.name) != name) continue;
       models.append(text(model.id));
       if (models.size() > 1) continue;  // the first one's; defaults of the others may differ
-      help.meaning = text(parameter.meaning);
+      help.meaning = words_of(parameter.meaning);
       QStringList form{};
       if (parameter.kind == ParameterKind::choice) {
         QStringList choices{};

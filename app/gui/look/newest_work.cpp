@@ -7,7 +7,8 @@
 
 #include <QtCore/QMetaObject>
 
-#include "results_schema/error_text.h"
+#include "app/gui/look/words.h"
+#include "app/words/phrased_error.h"
 
 namespace asperity {
 
@@ -45,7 +46,7 @@ void NewestWork::run(const std::stop_token& stop) {
       delivery = request.work();
     } catch (const std::exception& error) {
       delivery = [this, number = request.number, failed = request.failed,
-                  what = QString::fromStdString(message_of(error))] {
+                  what = words_of(phrase_of(error))] {
         if (number == asked_) failed(what);
       };
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <string_view>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
@@ -12,6 +13,8 @@
 #include <QtCore/QTranslator>
 #include <QtGui/QFontMetrics>
 #include <QtGui/QTextDocument>
+
+#include "protocols/design/wording.h"
 
 namespace asperity {
 
@@ -62,6 +65,13 @@ Phrase::LookUp language_of_windows() {
   return [](const char* context, const char* words) {
     if (context == nullptr) return std::string(words);
     return QCoreApplication::translate(context, words).toStdString();
+  };
+}
+
+Phrase::LookUp words_of_windows() {
+  return [look = language_of_windows()](const char* context, const char* words) {
+    const bool is_number = context == nullptr || std::string_view(context) == kNumbersOfFile;
+    return is_number ? with_point_of_locale(QLocale(), words) : look(context, words);
   };
 }
 
@@ -124,10 +134,7 @@ QString shown_number(double value, char format, int precision) {
 }
 
 QString words_of(const Phrase& phrase, const QString& control) {
-  const auto look_up = [look = language_of_windows()](const char* context, const char* words) {
-    return context == nullptr ? with_point_of_locale(QLocale(), words) : look(context, words);
-  };
-  QString words = QString::fromStdString(phrase.translated(look_up));
+  QString words = QString::fromStdString(phrase.translated(words_of_windows()));
   if (words.contains("--")) {
     for (const char* option : {"--firmware FILE", "--library FILE", "--service HOST:PORT"}) {
       words.replace(option, control);

@@ -10,7 +10,7 @@
 #include <QtCore/QString>
 #include <QtCore/QTextBoundaryFinder>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 class QFontMetricsF;
 class QTextDocument;
@@ -19,6 +19,8 @@ namespace asperity {
 
 /// What finds the words of the windows' language. Any thread.
 Phrase::LookUp language_of_windows();
+/// The same, with the decimal point of the user's locale in numbers. Any thread.
+Phrase::LookUp words_of_windows();
 /// The words in the language of a BCP 47 tag ("de", "de-AT"), whatever that of the windows: what the program
 /// tells a participant follows the protocol. English where the program does not have the language. Any thread.
 QString words_in_language(const std::string& tag, const Phrase& phrase);

@@ -87,7 +87,7 @@ ScreenPreview::ScreenPreview(std::filesystem::path study, QWidget* parent)
   layout_ = new QVBoxLayout(this);
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(kGrid);
-  auto* row = new QHBoxLayout();
+  row_ = new QHBoxLayout();
   back_ = make_button(tr("← Back"), ButtonRole::plain, this);
   back_->setObjectName("screen_back");
   next_ = make_button(tr("Next →"), ButtonRole::plain, this);
@@ -95,12 +95,18 @@ ScreenPreview::ScreenPreview(std::filesystem::path study, QWidget* parent)
   words_ = make_text({}, this, true);
   words_->setObjectName("screen_words");
   words_->setAlignment(Qt::AlignCenter);
-  row->addWidget(back_);
-  row->addWidget(words_, 1);
-  row->addWidget(next_);
-  layout_->addLayout(row);
+  row_->addWidget(back_);
+  row_->addWidget(words_, 1);
+  row_->addWidget(next_);
+  layout_->addLayout(row_);
   connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
   connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
+}
+
+void ScreenPreview::add_group_choice(QWidget* choice) {
+  constexpr int kAfterWords = 2;
+  row_->insertWidget(kAfterWords, choice);
+  has_group_choice_ = true;
 }
 
 ScreenPreview::~ScreenPreview() { delete view_; }  // before its monitor
@@ -175,7 +181,8 @@ void ScreenPreview::show_screen() {
   back_->setEnabled(step_ > 0 || screen_ > 0);
   next_->setEnabled(static_cast<int>(step_) + 1 < steps || !is_last);
   QString words = tr("Step %1 of %2").arg(step_ + 1).arg(steps);
-  if (const QString group = group_of(*protocol_, *plan_); !group.isEmpty()) {
+  const QString group = has_group_choice_ ? QString() : group_of(*protocol_, *plan_);
+  if (!group.isEmpty()) {
     words = tr("%1, group %2").arg(words, group);
   }
   if (screens_.empty()) {

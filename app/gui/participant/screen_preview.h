@@ -11,6 +11,7 @@
 
 #include "app/session/session_monitor.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -26,6 +27,9 @@ class ScreenPreview final : public QWidget {
   /// `study`: the folder of the pictures.
   explicit ScreenPreview(std::filesystem::path study, QWidget* parent = nullptr);
   ~ScreenPreview() override;
+
+  /// Shows the choice of the group next to the number of the step, which then does not name the group.
+  void add_group_choice(QWidget* choice);
 
   /// Shows the screens of a step, once it is visible. The texts of the steps are as participants read them.
   void show_step(std::shared_ptr<const Protocol> protocol, std::shared_ptr<const Plan> plan,
@@ -58,6 +62,8 @@ class ScreenPreview final : public QWidget {
   std::unique_ptr<SessionMonitor> monitor_{};
   ParticipantView* view_ = nullptr;
   QVBoxLayout* layout_ = nullptr;
+  QHBoxLayout* row_ = nullptr;
+  bool has_group_choice_ = false;
   QLabel* words_ = nullptr;
   QPushButton* back_ = nullptr;
   QPushButton* next_ = nullptr;

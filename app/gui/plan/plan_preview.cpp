@@ -292,16 +292,39 @@ void PlanPreview::add_choice(QLayout& row) {
   row_ = add(tr("Row"), "plan_row", 1, 1);
   row_->setToolTip(
       tr("Counterbalancing row: each new participant is assigned the least used one."));
-  group_ = new ChoiceBox(this);
+  group_ = make_group_box(this);
   group_->setObjectName("plan_group");
-  // The names of groups are those of another protocol after a while.
-  group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  group_->setMaximumWidth(kMostGroupWidth);
-  group_->setAccessibleName(tr("Group"));
-  group_->setToolTip(tr("Group of the participant"));
-  group_->hide();
   row.addWidget(group_);
-  connect(group_, &QComboBox::currentIndexChanged, this, &PlanPreview::make_plan_anew);
+  connect(group_, &QComboBox::currentIndexChanged, this, [this] {
+    show_group();
+    make_plan_anew();
+  });
+}
+
+QComboBox* PlanPreview::make_group_box(QWidget* parent) {
+  auto* const box = new ChoiceBox(parent);
+  // The names of groups are those of another protocol after a while.
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  box->setMaximumWidth(kMostGroupWidth);
+  box->setAccessibleName(tr("Group"));
+  box->setToolTip(tr("Group of the participant"));
+  box->hide();
+  return box;
+}
+
+QComboBox* PlanPreview::make_group_choice(QWidget* parent) {
+  other_group_ = make_group_box(parent);
+  other_group_->setObjectName("screen_group");
+  other_group_->setModel(group_->model());
+  connect(other_group_, &QComboBox::activated, group_, &QComboBox::setCurrentIndex);
+  return other_group_;
+}
+
+void PlanPreview::show_group() {
+  group_->setVisible(group_->count() > 0);
+  if (other_group_ == nullptr) return;
+  other_group_->setCurrentIndex(group_->currentIndex());
+  other_group_->setVisible(group_->count() > 0);
 }
 
 Allocation PlanPreview::allocation() const {
@@ -341,7 +364,7 @@ void PlanPreview::show_protocol(const Protocol& protocol) {
     if (index < 0) index = index_before;  // it has another name
     group_->setCurrentIndex(std::max(index, groups.empty() ? -1 : 0));
   }
-  group_->setVisible(!groups.empty());
+  show_group();
   make_plan_anew();
 }
 

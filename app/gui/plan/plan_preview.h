@@ -35,6 +35,8 @@ class PlanPreview final : public QWidget {
   void forget();
   /// Of the seed, row and group that are set.
   Allocation allocation() const;
+  /// Another box that shows and sets the group, for another view of the plan.
+  QComboBox* make_group_choice(QWidget* parent);
   /// Selects a step of a plan in the tall shape.
   void select_step(int step);
 
@@ -54,6 +56,8 @@ class PlanPreview final : public QWidget {
 
  private:
   void add_choice(QLayout& row);
+  QComboBox* make_group_box(QWidget* parent);
+  void show_group();
   void make_plan_anew();
   void show_plan();
   void show_step(int step);
@@ -66,6 +70,7 @@ class PlanPreview final : public QWidget {
   QSpinBox* seed_ = nullptr;
   QSpinBox* row_ = nullptr;
   QComboBox* group_ = nullptr;
+  QComboBox* other_group_ = nullptr;  ///< in another view; null: none
   QLabel* words_ = nullptr;
   PlanBars* bars_ = nullptr;  ///< null in the wide shape, of which the list has the height
   StudyTable* table_ = nullptr;

@@ -7,7 +7,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 class QLabel;
 class QLineEdit;

@@ -7,7 +7,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 class QLabel;
 class QLineEdit;

@@ -34,6 +34,12 @@ QVBoxLayout* prepare_dialog(QDialog& dialog, const QString& title, const QString
   return rows;
 }
 
+/// Qt would limit the width of a dialog to two thirds of the screen, without the height that its texts then need.
+void fit(QDialog& dialog) {
+  dialog.ensurePolished();
+  dialog.resize(dialog.layout()->totalSizeHint());
+}
+
 }  // namespace
 
 AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) : QDialog(parent) {
@@ -57,6 +63,7 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(Phrase)> on_abort) 
   constexpr int kAround = 32;
   field->setMinimumWidth(field->fontMetrics().horizontalAdvance(field->placeholderText()) +
                          kAround);
+  fit(*this);
 }
 
 void AbortDialog::lock(const QString& why) { form_->lock(why); }
@@ -88,6 +95,7 @@ CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave)
   connect(keep, &QPushButton::clicked, this, &QDialog::reject);
   connect(stop, &QPushButton::clicked, this, [leave] { leave(Leaving::stop_after_trial); });
   connect(abort, &QPushButton::clicked, this, [leave] { leave(Leaving::abort_now); });
+  fit(*this);
 }
 
 }  // namespace asperity

@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QDialog>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 namespace asperity {
 

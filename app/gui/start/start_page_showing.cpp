@@ -46,7 +46,7 @@ QString text_of_reasons(const std::vector<QString>& reasons) {
 QString text_of_problem(const ChosenProtocol& chosen) {
   if (chosen.problems.empty()) return QString::fromStdString(chosen.failure);
   const Diagnostic& first = chosen.problems.front();
-  if (first.line == 0) return QString::fromStdString(first.message);  // it could not be read
+  if (first.line == 0) return words_of(first.message);  // it could not be read
   const auto more = static_cast<int>(chosen.problems.size()) - 1;
   QString text =
       StartPage::tr("This protocol is not valid. %1.")

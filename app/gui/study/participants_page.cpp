@@ -12,9 +12,10 @@
 
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/withdraw_dialog.h"
 #include "app/records/participant_answers.h"
-#include "results_schema/error_text.h"
+#include "app/words/phrased_error.h"
 
 namespace asperity {
 
@@ -177,7 +178,7 @@ void ParticipantsPage::ask_to_withdraw() {
   try {
     (new WithdrawDialog(study(), table_->selected_key().toStdString(), this))->open();
   } catch (const std::exception& error) {
-    banner().show_news(State::stop, QString::fromStdString(message_of(error)));
+    banner().show_news(State::stop, words_of(phrase_of(error)));
   }
 }
 

@@ -249,7 +249,7 @@ void StimuliPage::show_stimuli(std::vector<Shown> stimuli) {
       kind->setToolTip(tr("Made from %1.").arg(QString::fromStdString(stimulus.source_name)));
     }
     if (!stimulus.problem.empty()) {
-      kind = text_cell(tr("▲ %1").arg(QString::fromStdString(stimulus.problem)));
+      kind = text_cell(tr("▲ %1").arg(words_of(stimulus.problem)));
       kind->setForeground(theme().look);
     }
     const RenderingRemarks& remarks = stimulus.remarks;

@@ -23,7 +23,7 @@
 #include "app/gui/study/template_dialog.h"
 #include "app/study_files/protocol_languages.h"
 #include "app/tasks/protocol_templates.h"
-#include "results_schema/error_text.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {
@@ -172,7 +172,7 @@ void UseRenderingDialog::fill_surfaces() {
         before_ = unsaved_(file).value_or(std::string());
         if (before_.empty()) before_ = read_file(file, kProtocolFile);
       } catch (const std::exception& error) {
-        state_->set_state(State::stop, text(message_of(error)));
+        state_->set_state(State::stop, words_of(phrase_of(error)));
       }
       usable_ = usable_surfaces(before_);
       for (const UsableSurface& usable : usable_) {

@@ -2285,11 +2285,11 @@
     </message>
     <message>
         <source>There is no exponent, because the predictor (%1) is computed from recordings, and none can be read for these responses. Record every tick (key &quot;recording&quot; of the protocol), and simulate participants with &quot;--recordings all&quot;.</source>
-        <translation>Es gibt keinen Exponenten, weil der Prädiktor (%1) aus Aufzeichnungen berechnet wird und für diese Antworten keine lesbar ist. Jeden Takt aufzeichnen (Schlüssel „recording“ des Protokolls) und Teilnehmer mit „--recordings all“ simulieren.</translation>
+        <translation>Es gibt keinen Exponenten, weil der Prädiktor (%1) aus Aufzeichnungen berechnet wird und für diese Antworten keine lesbar ist. Jeden Takt aufzeichnen (Einstellung „recording“ des Protokolls) und Versuchspersonen mit „--recordings all“ simulieren.</translation>
     </message>
     <message>
         <source>The predictor (%1) is computed from recordings, and these are stored for only %2 of %3 participants. &quot;--recordings all&quot; of &quot;asperity simulate&quot; stores those of all virtual participants.</source>
-        <translation>Der Prädiktor (%1) wird aus Aufzeichnungen berechnet, und diese sind nur für %2 von %3 Teilnehmern gespeichert. „--recordings all“ von „asperity simulate“ speichert die aller virtuellen Teilnehmer.</translation>
+        <translation>Der Prädiktor (%1) wird aus Aufzeichnungen berechnet, und diese sind nur für %2 von %3 Versuchspersonen gespeichert. „--recordings all“ von „asperity simulate“ speichert die aller virtuellen Versuchspersonen.</translation>
     </message>
     <message>
         <source>%1… (attempts: %2)</source>
@@ -4641,6 +4641,129 @@
     </message>
 </context>
 <context>
+    <name>Characters</name>
+    <message>
+        <source>write a space instead</source>
+        <translation>stattdessen ein Leerzeichen schreiben</translation>
+    </message>
+    <message>
+        <source>delete it</source>
+        <translation>das Zeichen löschen</translation>
+    </message>
+    <message>
+        <source>a typographic quotation mark</source>
+        <translation>ein typografisches Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>write straight quotation marks (&quot;) instead</source>
+        <translation>stattdessen gerade Anführungszeichen (&quot;) schreiben</translation>
+    </message>
+    <message>
+        <source>write a hyphen (-) instead</source>
+        <translation>stattdessen einen Bindestrich (-) schreiben</translation>
+    </message>
+    <message>
+        <source>write a decimal point instead</source>
+        <translation>stattdessen einen Dezimalpunkt schreiben</translation>
+    </message>
+    <message>
+        <source>write a comma (,) instead</source>
+        <translation>stattdessen ein Komma (,) schreiben</translation>
+    </message>
+    <message>
+        <source>a no-break space</source>
+        <translation>ein geschütztes Leerzeichen</translation>
+    </message>
+    <message>
+        <source>a soft hyphen</source>
+        <translation>ein weiches Trennzeichen</translation>
+    </message>
+    <message>
+        <source>an Arabic comma</source>
+        <translation>ein arabisches Komma</translation>
+    </message>
+    <message>
+        <source>an Arabic decimal separator</source>
+        <translation>ein arabisches Dezimaltrennzeichen</translation>
+    </message>
+    <message>
+        <source>a figure space</source>
+        <translation>ein Leerzeichen von Ziffernbreite</translation>
+    </message>
+    <message>
+        <source>a thin space</source>
+        <translation>ein schmales Leerzeichen</translation>
+    </message>
+    <message>
+        <source>a zero-width space</source>
+        <translation>ein Leerzeichen ohne Breite</translation>
+    </message>
+    <message>
+        <source>a zero-width non-joiner</source>
+        <translation>ein Bindehemmer ohne Breite</translation>
+    </message>
+    <message>
+        <source>a zero-width joiner</source>
+        <translation>ein Verbinder ohne Breite</translation>
+    </message>
+    <message>
+        <source>a left-to-right mark</source>
+        <translation>ein Links-nach-rechts-Zeichen</translation>
+    </message>
+    <message>
+        <source>a right-to-left mark</source>
+        <translation>ein Rechts-nach-links-Zeichen</translation>
+    </message>
+    <message>
+        <source>an en dash</source>
+        <translation>ein Halbgeviertstrich</translation>
+    </message>
+    <message>
+        <source>an em dash</source>
+        <translation>ein Geviertstrich</translation>
+    </message>
+    <message>
+        <source>a line separator</source>
+        <translation>ein Zeilentrennzeichen</translation>
+    </message>
+    <message>
+        <source>a narrow no-break space</source>
+        <translation>ein schmales geschütztes Leerzeichen</translation>
+    </message>
+    <message>
+        <source>a word joiner</source>
+        <translation>ein Wortverbinder</translation>
+    </message>
+    <message>
+        <source>a minus sign</source>
+        <translation>ein Minuszeichen</translation>
+    </message>
+    <message>
+        <source>an ideographic space</source>
+        <translation>ein ideografisches Leerzeichen</translation>
+    </message>
+    <message>
+        <source>a byte order mark</source>
+        <translation>eine Byte-Reihenfolge-Markierung</translation>
+    </message>
+    <message>
+        <source>a full-width comma</source>
+        <translation>ein Komma in voller Breite</translation>
+    </message>
+    <message>
+        <source>a full-width full stop</source>
+        <translation>ein Punkt in voller Breite</translation>
+    </message>
+    <message>
+        <source>a full-width colon</source>
+        <translation>ein Doppelpunkt in voller Breite</translation>
+    </message>
+    <message>
+        <source>write a colon (:) instead</source>
+        <translation>stattdessen einen Doppelpunkt (:) schreiben</translation>
+    </message>
+</context>
+<context>
     <name>Columns</name>
     <message>
         <source>%1 (%2)</source>
@@ -5050,7 +5173,7 @@
     </message>
     <message>
         <source>the external program %1 answered &quot;%2&quot;, which is neither a level nor the end of the track; it must write {&quot;level&quot;: NUMBER} or {&quot;end&quot;: true}</source>
-        <translation>das externe Programm %1 antwortete „%2“, was weder eine Stufe noch das Ende der Spur ist; es muss {&quot;level&quot;: ZAHL} oder {&quot;end&quot;: true} schreiben</translation>
+        <translation>das externe Programm %1 antwortete „%2“, was weder eine Stufe noch das Ende der Folge ist; es muss {&quot;level&quot;: ZAHL} oder {&quot;end&quot;: true} schreiben</translation>
     </message>
     <message>
         <source>what the external program %1 writes to its standard error cannot be kept: %2; check the permissions and the free space of the study&apos;s folder</source>
@@ -6453,6 +6576,14 @@
         <source>Light elevation</source>
         <translation>Höhenwinkel des Lichts</translation>
     </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>GroupChoice</name>
@@ -6475,13 +6606,6 @@
     <message>
         <source>the experimenter assigns the groups of the protocol &quot;%1&quot;; state the group of the participant with --group: %2</source>
         <translation>Die Versuchsleitung teilt die Gruppen des Protokolls „%1“ zu; die Gruppe der Versuchsperson mit --group angeben: %2</translation>
-    </message>
-</context>
-<context>
-    <name>FormWords</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
     </message>
 </context>
 <context>
@@ -7253,10 +7377,6 @@
     <message>
         <source>Irrelevant quantities that vary at random between presentations: each presentation has one of the levels.</source>
         <translation>Irrelevante Größen, die sich zwischen Darbietungen zufällig ändern: Jede Darbietung hat eine der Stufen.</translation>
-    </message>
-    <message>
-        <source>How the surfaces of a trial are presented.</source>
-        <translation>Wie die Oberflächen eines Durchgangs dargeboten werden.</translation>
     </message>
     <message>
         <source>Visits to each surface.</source>
@@ -9910,6 +10030,86 @@
         <source>Magnitude and rating: exponent of the power function from the judged quantity to the estimate.</source>
         <translation>Größenschätzung und Beurteilung: Exponent der Potenzfunktion von der beurteilten Größe zur Schätzung.</translation>
     </message>
+    <message>
+        <source>the levels of vary are presented equally often; remove this key, or list the levels as a crossed factor</source>
+        <translation>die Stufen des variierten Parameters werden gleich oft dargeboten; diese Einstellung entfernen oder die Stufen als gekreuzten Faktor angeben</translation>
+    </message>
+    <message>
+        <source>a block that ends at a criterion has no anchors, because they do not count for it; remove this key, or &quot;until&quot;</source>
+        <translation>ein Block, der an einem Kriterium endet, hat keine Anker, weil sie dafür nicht zählen; diese Einstellung oder das Kriterium entfernen</translation>
+    </message>
+    <message>
+        <source>patches are presented together, without an interval; remove this key</source>
+        <translation>Felder werden gemeinsam dargeboten, ohne Intervall dazwischen; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the participant divides the time among patches; remove this key, and state visits and the contact time of the exploration</source>
+        <translation>die Versuchsperson teilt die Zeit unter den Feldern auf; diese Einstellung entfernen und Besuche und die Kontaktzeit der Exploration angeben</translation>
+    </message>
+    <message>
+        <source>the noise &quot;none&quot; has no level; remove this key</source>
+        <translation>ohne Rauschen („none“) gibt es keinen Pegel; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>participants read the screens of the flow: write the instructions there, as {&quot;screen&quot;: …} before the first block, and remove this key</source>
+        <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, als {&quot;screen&quot;: …} vor dem ersten Block, und diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>The translation of a text.</source>
+        <translation>Die Übersetzung eines Texts.</translation>
+    </message>
+    <message>
+        <source>Translations, by the address of the text in the protocol.</source>
+        <translation>Übersetzungen, nach der Adresse des Texts im Protokoll.</translation>
+    </message>
+    <message>
+        <source>Texts of one address with their translations.</source>
+        <translation>Texte einer Adresse mit ihren Übersetzungen.</translation>
+    </message>
+    <message>
+        <source>A translation of a protocol.</source>
+        <translation>Eine Übersetzung eines Protokolls.</translation>
+    </message>
+    <message>
+        <source>A PNG with its sidecar, relative to the study.</source>
+        <translation>Ein PNG mit Begleitdatei, relativ zur Studie.</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the sidecar when the rendering was saved.</source>
+        <translation>SHA-256 der Begleitdatei beim Speichern der Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>A force model.</source>
+        <translation>Ein Kraftmodell.</translation>
+    </message>
+    <message>
+        <source>Version of the force model when the rendering was saved.</source>
+        <translation>Version des Kraftmodells beim Speichern der Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>A number or a word.</source>
+        <translation>Eine Zahl oder ein Wort.</translation>
+    </message>
+    <message>
+        <source>All parameters of the force model by name (see `asperity models`).</source>
+        <translation>Alle Parameter des Kraftmodells nach Namen (siehe `asperity models`).</translation>
+    </message>
+    <message>
+        <source>Stiffness and friction of the surface.</source>
+        <translation>Steifigkeit und Reibung der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The relief that was felt.</source>
+        <translation>Das Relief, das gefühlt wurde.</translation>
+    </message>
+    <message>
+        <source>A force model with its values on a texture.</source>
+        <translation>Ein Kraftmodell mit seinen Werten auf einer Textur.</translation>
+    </message>
 </context>
 <context>
     <name>LabelNotice</name>
@@ -9972,6 +10172,25 @@
     <message>
         <source>%1 is a new participant; %2, whose label differs only in letter case or leading zeros, is in the study already (%3)</source>
         <translation>%1 ist eine neue Versuchsperson; %2 ist schon in der Studie (%3), und das Kürzel unterscheidet sich nur in der Groß- und Kleinschreibung oder in führenden Nullen</translation>
+    </message>
+</context>
+<context>
+    <name>Lists</name>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>
@@ -10051,6 +10270,489 @@
     <message>
         <source>one level differs from the standard, and a function requires two: see d′ in the table of sensitivities</source>
         <translation>nur eine Stufe unterscheidet sich vom Standard, und eine Funktion erfordert zwei: siehe d′ in der Tabelle der Sensitivitäten</translation>
+    </message>
+</context>
+<context>
+    <name>Models</name>
+    <message>
+        <source>mu N v / sqrt(v^2 + v0^2), with the velocity that the device reports</source>
+        <translation>mu N v / sqrt(v^2 + v0^2), mit der Geschwindigkeit, die das Gerät meldet</translation>
+    </message>
+    <message>
+        <source>the same with an implicit step, and with a slope that is limited so that the servo loop remains stable</source>
+        <translation>dasselbe mit einem impliziten Schritt und mit einer Steigung, die so begrenzt ist, dass die Servoschleife stabil bleibt</translation>
+    </message>
+    <message>
+        <source>adhesion of a given stiffness that breaks, with stick-slip for a static ratio above 1</source>
+        <translation>Haftung gegebener Steifigkeit, die abreißt, mit Stick-Slip bei einem Haftverhältnis über 1</translation>
+    </message>
+    <message>
+        <source>adhesion of a given stiffness that yields smoothly, with a drag that follows the normal force while sliding</source>
+        <translation>Haftung gegebener Steifigkeit, die gleichmäßig nachgibt, mit einer Reibkraft, die beim Gleiten der Normalkraft folgt</translation>
+    </message>
+    <message>
+        <source>adhesion of a given stiffness that creeps, with a smooth transition to sliding</source>
+        <translation>Haftung gegebener Steifigkeit, die kriecht, mit gleichmäßigem Übergang zum Gleiten</translation>
+    </message>
+    <message>
+        <source>the same with a static friction that decreases with speed (Stribeck) and with damping of the adhesion</source>
+        <translation>dasselbe mit einer Haftreibung, die mit der Geschwindigkeit abnimmt (Stribeck), und mit Dämpfung der Haftung</translation>
+    </message>
+    <message>
+        <source>Friction law</source>
+        <translation>Reibungsgesetz</translation>
+    </message>
+    <message>
+        <source>Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static and kinetic friction remains</source>
+        <translation>Geschwindigkeit v0, unterhalb deren die Coulomb-Reibung bis auf null in Ruhe abnimmt: mu N v / sqrt(v^2 + v0^2). Gesetz lugre: Geschwindigkeit, bei der 37 % des Unterschieds zwischen Haft- und Gleitreibung verbleiben</translation>
+    </message>
+    <message>
+        <source>Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact along the surface before it slides</source>
+        <translation>Gesetze proxy, elastoplastic, dahl und lugre: Steifigkeit des Kontakts entlang der Oberfläche, bevor er gleitet</translation>
+    </message>
+    <message>
+        <source>Laws proxy, elastoplastic, dahl and lugre: time constant of each of the two low-pass filters that smooth the position steps of the device; law elastoplastic: the normal force is smoothed by a fifth of it; 0: no filter</source>
+        <translation>Gesetze proxy, elastoplastic, dahl und lugre: Zeitkonstante jedes der beiden Tiefpässe, die die Positionsschritte des Geräts glätten; Gesetz elastoplastic: Die Normalkraft wird mit einem Fünftel davon geglättet; 0: kein Filter</translation>
+    </message>
+    <message>
+        <source>Laws proxy and lugre: ratio of static to kinetic friction; the friction of the material is the kinetic friction</source>
+        <translation>Gesetze proxy und lugre: Verhältnis von Haft- zu Gleitreibung; die Reibung des Materials ist die Gleitreibung</translation>
+    </message>
+    <message>
+        <source>Law proxy: damping along the surface while the contact sticks; law lugre: damping of the adhesion</source>
+        <translation>Gesetz proxy: Dämpfung entlang der Oberfläche, solange der Kontakt haftet; Gesetz lugre: Dämpfung der Haftung</translation>
+    </message>
+    <message>
+        <source>Law bounded: moving mass of device and hand</source>
+        <translation>Gesetz bounded: bewegte Masse von Gerät und Hand</translation>
+    </message>
+    <message>
+        <source>Law bounded: delay of the velocity, the sum of the latency and the lag of the estimate</source>
+        <translation>Gesetz bounded: Verzögerung der Geschwindigkeit, die Summe aus der Latenz und dem Nachlauf der Schätzung</translation>
+    </message>
+    <message>
+        <source>Position step of the device; motion of up to two steps, and of up to 20 µm, does not lengthen the path. A session takes a missing value from its device</source>
+        <translation>Positionsschritt des Geräts; eine Bewegung um bis zu zwei Schritte und um bis zu 20 µm verlängert den Weg nicht. Eine Sitzung übernimmt einen fehlenden Wert von ihrem Gerät</translation>
+    </message>
+    <message>
+        <source>the model computes no finite force above the body%1; correct the model or its parameters</source>
+        <translation>das Kraftmodell berechnet über dem Körper keine endliche Kraft%1; das Modell oder seine Parameter korrigieren</translation>
+    </message>
+    <message>
+        <source>the texture rises more than %1 m above the body; reduce its amplitude</source>
+        <translation>die Textur ragt mehr als %1 m über den Körper hinaus; ihre Amplitude verringern</translation>
+    </message>
+    <message>
+        <source>Stochastic resonance: standard deviation of the added noise relative to resonance_threshold_N; 0: no noise</source>
+        <translation>Stochastische Resonanz: Standardabweichung des hinzugefügten Rauschens relativ zu resonance_threshold_N; 0: kein Rauschen</translation>
+    </message>
+    <message>
+        <source>Stochastic resonance: the participant&apos;s measured detection threshold as a force</source>
+        <translation>Stochastische Resonanz: die gemessene Wahrnehmungsschwelle der Versuchsperson als Kraft</translation>
+    </message>
+    <message>
+        <source>resonance_threshold_N is 0, and resonance_ratio is relative to it; give it the participant&apos;s detection threshold in newtons</source>
+        <translation>resonance_threshold_N ist 0, und resonance_ratio bezieht sich darauf; die Wahrnehmungsschwelle der Versuchsperson in Newton angeben</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the coefficient of friction along the path</source>
+        <translation>Standardabweichung des Reibungskoeffizienten entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>Length of path between the values of the process</source>
+        <translation>Weglänge zwischen den Werten des Prozesses</translation>
+    </message>
+    <message>
+        <source>Coefficient a_%1 of the process, for the value %1 step back</source>
+        <translation>Koeffizient a_%1 des Prozesses, für den Wert vor %1 Schritt</translation>
+    </message>
+    <message>
+        <source>Coefficient a_%1 of the process, for the value %1 steps back</source>
+        <translation>Koeffizient a_%1 des Prozesses, für den Wert vor %1 Schritten</translation>
+    </message>
+    <message>
+        <source>A flat plate whose friction varies along the path</source>
+        <translation>Eine ebene Platte, deren Reibung sich entlang des Wegs ändert</translation>
+    </message>
+    <message>
+        <source>A flat plate whose normal is perturbed by the slope of the texture</source>
+        <translation>Eine ebene Platte, deren Normale durch die Neigung der Textur gestört wird</translation>
+    </message>
+    <message>
+        <source>Factor applied to the heights of the field</source>
+        <translation>Faktor auf die Höhen des Felds</translation>
+    </message>
+    <message>
+        <source>Depth K down to which the force is along the perturbed normal, as a multiple of the height of the texture above its lowest point</source>
+        <translation>Tiefe K, bis zu der die Kraft entlang der gestörten Normale wirkt, als Vielfaches der Höhe der Textur über ihrem tiefsten Punkt</translation>
+    </message>
+    <message>
+        <source>mean: contact begins at the plane; crest: contact begins above the plane, by the height of the texture from its lowest to its highest point</source>
+        <translation>mean: Der Kontakt beginnt an der Ebene; crest: Der Kontakt beginnt über der Ebene, um die Höhe der Textur vom tiefsten bis zum höchsten Punkt</translation>
+    </message>
+    <message>
+        <source>Factor on the force of the vibration</source>
+        <translation>Faktor auf die Kraft der Vibration</translation>
+    </message>
+    <message>
+        <source>Mass of handle and hand that the vibration accelerates; the force is this mass times the acceleration of the models</source>
+        <translation>Masse von Griff und Hand, die die Vibration beschleunigt; die Kraft ist diese Masse mal die Beschleunigung der Modelle</translation>
+    </message>
+    <message>
+        <source>Direction of the vibration: along the motion, along the surface across the motion (binormal, as in the source), or along the normal</source>
+        <translation>Richtung der Vibration: entlang der Bewegung (motion), in der Oberfläche quer zur Bewegung (binormal, wie in der Quelle) oder entlang der Normale (normal)</translation>
+    </message>
+    <message>
+        <source>Whether the logarithm of the variance is interpolated between models, or the variance, as in the toolkit, whose sets have silent models</source>
+        <translation>Ob zwischen Modellen der Logarithmus der Varianz interpoliert wird oder die Varianz, wie im Toolkit, dessen Sätze stumme Modelle enthalten</translation>
+    </message>
+    <message>
+        <source>A flat plate with the vibration of autoregressive models over speed and force</source>
+        <translation>Eine ebene Platte mit der Vibration autoregressiver Modelle über Geschwindigkeit und Kraft</translation>
+    </message>
+    <message>
+        <source>autoregressive models of a texture at several speeds and normal forces, a table that asperity fit-model writes</source>
+        <translation>autoregressive Modelle einer Textur bei mehreren Geschwindigkeiten und Normalkräften, eine Tabelle, die asperity fit-model schreibt</translation>
+    </message>
+    <message>
+        <source>A rigid tip on a soft textured body that deforms around it</source>
+        <translation>Eine starre Spitze auf einem weichen texturierten Körper, der sich um sie verformt</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the relaxed body: 0.1 MPa is a soft silicone rubber</source>
+        <translation>Elastizitätsmodul des relaxierten Körpers: 0,1 MPa entsprechen weichem Silikon</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio; 0.5: incompressible</source>
+        <translation>Querkontraktionszahl; 0,5: inkompressibel</translation>
+    </message>
+    <message>
+        <source>Instantaneous modulus divided by the relaxed one; 1: elastic</source>
+        <translation>Anfangsmodul geteilt durch den relaxierten Modul; 1: elastisch</translation>
+    </message>
+    <message>
+        <source>Time constant of the relaxation at constant depth</source>
+        <translation>Zeitkonstante der Relaxation bei konstanter Tiefe</translation>
+    </message>
+    <message>
+        <source>filtered_noise: peak_wavelength_m is %1; it must be at least twice noise_length_m, %2, or 0 for a low-pass</source>
+        <translation>filtered_noise: peak_wavelength_m ist %1; nötig ist mindestens das Doppelte von noise_length_m, %2, oder 0 für einen Tiefpass</translation>
+    </message>
+    <message>
+        <source>A flat plate with filtered noise along the direction of motion</source>
+        <translation>Eine ebene Platte mit gefiltertem Rauschen entlang der Bewegungsrichtung</translation>
+    </message>
+    <message>
+        <source>Standard deviation sigma of the filtered noise</source>
+        <translation>Standardabweichung sigma des gefilterten Rauschens</translation>
+    </message>
+    <message>
+        <source>Length of path after which the noise takes a new value</source>
+        <translation>Weglänge, nach der das Rauschen einen neuen Wert annimmt</translation>
+    </message>
+    <message>
+        <source>Radius r of the poles of the filter; 0: white noise</source>
+        <translation>Radius r der Pole des Filters; 0: weißes Rauschen</translation>
+    </message>
+    <message>
+        <source>Wavelength of the resonance of two poles; 0: one pole, which gives a low-pass filter</source>
+        <translation>Wellenlänge der Resonanz zweier Pole; 0: ein Pol, also ein Tiefpass</translation>
+    </message>
+    <message>
+        <source>Normal force below which the texture force decreases in proportion</source>
+        <translation>Normalkraft, unterhalb deren die Texturkraft proportional abnimmt</translation>
+    </message>
+    <message>
+        <source>The height map of a photograph, felt through a spring</source>
+        <translation>Das Höhenfeld eines Fotos, durch eine Feder gefühlt</translation>
+    </message>
+    <message>
+        <source>corrected: the height enters the penetration; literal: equations 1 to 3 of the source as printed</source>
+        <translation>corrected: Die Höhe geht in die Eindringtiefe ein; literal: Gleichungen 1 bis 3 der Quelle wie gedruckt</translation>
+    </message>
+    <message>
+        <source>Depth H beyond which the normal force is constant</source>
+        <translation>Tiefe H, jenseits deren die Normalkraft konstant ist</translation>
+    </message>
+    <message>
+        <source>Force along the surface, -gain times normal force times slope; 1 makes the force conservative; corrected law only</source>
+        <translation>Kraft entlang der Oberfläche, -gain mal Normalkraft mal Neigung; mit 1 ist die Kraft konservativ; nur mit dem Gesetz corrected</translation>
+    </message>
+    <message>
+        <source>Literal law only. none: equation 1, which attracts the probe over valleys; subtract_min: heights relative to the lowest sample</source>
+        <translation>Nur mit dem Gesetz literal. none: Gleichung 1, die den Taster über Tälern anzieht; subtract_min: Höhen relativ zum tiefsten Abtastwert</translation>
+    </message>
+    <message>
+        <source>Literal law only: k1 of equation 2, the stiffness of the plate</source>
+        <translation>Nur mit dem Gesetz literal: k1 der Gleichung 2, die Steifigkeit der Platte</translation>
+    </message>
+    <message>
+        <source>A flat plate with a lateral force proportional to the slope of the texture</source>
+        <translation>Eine ebene Platte mit einer Seitenkraft proportional zur Neigung der Textur</translation>
+    </message>
+    <message>
+        <source>Force K along the surface at a slope of 1; with the law force, at a normal force of 1 N</source>
+        <translation>Kraft K entlang der Oberfläche bei einer Neigung von 1; mit dem Gesetz force bei einer Normalkraft von 1 N</translation>
+    </message>
+    <message>
+        <source>constant: the force along the surface does not depend on how hard the hand presses, as in the source; force: it is proportional to the normal force</source>
+        <translation>constant: Die Kraft entlang der Oberfläche hängt nicht davon ab, wie fest die Hand drückt, wie in der Quelle; force: Sie ist proportional zur Normalkraft</translation>
+    </message>
+    <message>
+        <source>A flat plate whose force is turned by a map of normals, as in haptic frameworks</source>
+        <translation>Eine ebene Platte, deren Kraft nach einer Karte der Normalen gedreht wird, wie in haptischen Programmbibliotheken</translation>
+    </message>
+    <message>
+        <source>grey_level: slope 0.01 for each of 255 grey levels between neighbouring texels, as in the source; physical: the slope of the heights in metres</source>
+        <translation>grey_level: Neigung 0,01 je Graustufe (von 255) zwischen benachbarten Texeln, wie in der Quelle; physical: die Neigung der Höhen in Metern</translation>
+    </message>
+    <message>
+        <source>Factor applied to the slopes of the map</source>
+        <translation>Faktor auf die Neigungen der Karte</translation>
+    </message>
+    <message>
+        <source>Law grey_level only: bits of a grey level and of a stored component; 8 as in the source, 24 for practically no rounding</source>
+        <translation>Nur mit dem Gesetz grey_level: Bits einer Graustufe und einer gespeicherten Komponente; 8 wie in der Quelle, 24 praktisch ohne Rundung</translation>
+    </message>
+    <message>
+        <source>Factor applied to all waves</source>
+        <translation>Faktor auf alle Wellen</translation>
+    </message>
+    <message>
+        <source>Length along this axis after which the relief repeats</source>
+        <translation>Länge entlang dieser Achse, nach der sich das Relief wiederholt</translation>
+    </message>
+    <message>
+        <source>Periods of wave %1 in period_x_m</source>
+        <translation>Perioden der Welle %1 in period_x_m</translation>
+    </message>
+    <message>
+        <source>Periods of wave %1 in period_y_m; a negative number mirrors the direction of the crests</source>
+        <translation>Perioden der Welle %1 in period_y_m; eine negative Zahl spiegelt die Richtung der Kämme</translation>
+    </message>
+    <message>
+        <source>Cosine amplitude of wave %1</source>
+        <translation>Kosinusamplitude der Welle %1</translation>
+    </message>
+    <message>
+        <source>Sine amplitude of wave %1</source>
+        <translation>Sinusamplitude der Welle %1</translation>
+    </message>
+    <message>
+        <source>fixed: along the normal of the plane; local_normal: along that of the relief; gradient: the negative gradient of the energy of the spring</source>
+        <translation>fixed: entlang der Normale der Ebene; local_normal: entlang der des Reliefs; gradient: der negative Gradient der Energie der Feder</translation>
+    </message>
+    <message>
+        <source>A relief of up to four plane waves, felt through a spring</source>
+        <translation>Ein Relief aus bis zu vier ebenen Wellen, durch eine Feder gefühlt</translation>
+    </message>
+    <message>
+        <source>recording: all strokes have a speed near %1 m/s, and the texture at other speeds is unknown; record a second speed that differs by at least 10 %, or set single_speed to accepted</source>
+        <translation>recording: Alle Striche haben eine Geschwindigkeit nahe %1 m/s, und die Textur bei anderen Geschwindigkeiten ist unbekannt; eine zweite Geschwindigkeit aufzeichnen, die um mindestens 10 % abweicht, oder single_speed auf accepted setzen</translation>
+    </message>
+    <message>
+        <source>Factor applied to the recorded force</source>
+        <translation>Faktor auf die aufgezeichnete Kraft</translation>
+    </message>
+    <message>
+        <source>Power of the normal force to which the texture force is proportional; 0: the texture force is independent of the normal force</source>
+        <translation>Potenz der Normalkraft, zu der die Texturkraft proportional ist; 0: Die Texturkraft ist von der Normalkraft unabhängig</translation>
+    </message>
+    <message>
+        <source>Direction of the texture force: along the motion, or along the normal</source>
+        <translation>Richtung der Texturkraft: entlang der Bewegung (motion) oder entlang der Normale (normal)</translation>
+    </message>
+    <message>
+        <source>spatial: waves along the path, whose frequency in hertz is proportional to the speed; temporal: frequencies in hertz, interpolated between speeds as in the source</source>
+        <translation>spatial: Wellen entlang des Wegs, deren Frequenz in Hertz proportional zur Geschwindigkeit ist; temporal: Frequenzen in Hertz, zwischen Geschwindigkeiten interpoliert wie in der Quelle</translation>
+    </message>
+    <message>
+        <source>Whether a recording with a single speed is accepted; its spectrum is then used at every speed</source>
+        <translation>Ob eine Aufzeichnung mit einer einzigen Geschwindigkeit zulässig ist; ihr Spektrum gilt dann bei jeder Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>A flat plate with the vibration of a recorded texture</source>
+        <translation>Eine ebene Platte mit der Vibration einer aufgezeichneten Textur</translation>
+    </message>
+    <message>
+        <source>the forces of strokes over a texture at two speeds or more, a table that asperity texture-recording writes</source>
+        <translation>die Kräfte von Strichen über eine Textur bei mindestens zwei Geschwindigkeiten, eine Tabelle, die asperity texture-recording schreibt</translation>
+    </message>
+    <message>
+        <source>A sinusoidal grating, felt through a spring</source>
+        <translation>Ein sinusförmiges Gitter, durch eine Feder gefühlt</translation>
+    </message>
+    <message>
+        <source>Amplitude A: half the height from trough to crest</source>
+        <translation>Amplitude A: halbe Höhe vom Tal bis zum Kamm</translation>
+    </message>
+    <message>
+        <source>Wavelength L</source>
+        <translation>Wellenlänge L</translation>
+    </message>
+    <message>
+        <source>Direction in which the height varies, from +x towards +y</source>
+        <translation>Richtung, in der sich die Höhe ändert, von +x nach +y</translation>
+    </message>
+    <message>
+        <source>fixed: along the normal of the plane, as in the source; local_normal: along that of the grating; gradient: the negative gradient of the energy of the spring</source>
+        <translation>fixed: entlang der Normale der Ebene, wie in der Quelle; local_normal: entlang der des Gitters; gradient: der negative Gradient der Energie der Feder</translation>
+    </message>
+    <message>
+        <source>A relief cut out of noise that fills space</source>
+        <translation>Ein Relief, aus raumfüllendem Rauschen geschnitten</translation>
+    </message>
+    <message>
+        <source>Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude</source>
+        <translation>Amplitude der ersten Oktave; der Effektivwert einer Oktave ist das 0,27-Fache ihrer Amplitude</translation>
+    </message>
+    <message>
+        <source>Cell size of the lattice of the first octave, approximately the longest wavelength</source>
+        <translation>Zellgröße des Gitters der ersten Oktave, ungefähr die größte Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Number of octaves, each with half the wavelength and half the amplitude of the previous one</source>
+        <translation>Anzahl der Oktaven, jede mit der halben Wellenlänge und der halben Amplitude der vorigen</translation>
+    </message>
+    <message>
+        <source>Number of the relief, which is the same in every presentation; 0: a different relief in every presentation</source>
+        <translation>Nummer des Reliefs, das in jeder Darbietung dasselbe ist; 0: in jeder Darbietung ein anderes Relief</translation>
+    </message>
+    <message>
+        <source>Force along the surface, -gain times normal force times slope; 1 makes the force conservative</source>
+        <translation>Kraft entlang der Oberfläche, -gain mal Normalkraft mal Neigung; mit 1 ist die Kraft konservativ</translation>
+    </message>
+    <message>
+        <source>A flat plate with white noise on its normal force while the hand moves</source>
+        <translation>Eine ebene Platte mit weißem Rauschen auf ihrer Normalkraft, solange sich die Hand bewegt</translation>
+    </message>
+    <message>
+        <source>Standard deviation sigma of the noise</source>
+        <translation>Standardabweichung sigma des Rauschens</translation>
+    </message>
+    <message>
+        <source>Mean of the noise; 0 for a texture whose mean height has been subtracted</source>
+        <translation>Mittelwert des Rauschens; 0 bei einer Textur, deren mittlere Höhe abgezogen wurde</translation>
+    </message>
+    <message>
+        <source>Rate at which the noise takes a new value, independent of the servo rate</source>
+        <translation>Rate, mit der das Rauschen einen neuen Wert annimmt, unabhängig von der Rate der Servoschleife</translation>
+    </message>
+    <message>
+        <source>Index time only: speed along the surface below which there is no noise</source>
+        <translation>Nur mit dem Index time: Geschwindigkeit entlang der Oberfläche, unterhalb deren es kein Rauschen gibt</translation>
+    </message>
+    <message>
+        <source>time: a new value after each 1/noise_rate_Hz, as in the source; distance: after each noise_length_m of the path along the surface</source>
+        <translation>time: ein neuer Wert nach jeweils 1/noise_rate_Hz, wie in der Quelle; distance: nach jeweils noise_length_m des Wegs entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Index distance only: length of path after which the noise takes a new value</source>
+        <translation>Nur mit dem Index distance: Weglänge, nach der das Rauschen einen neuen Wert annimmt</translation>
+    </message>
+    <message>
+        <source>Index distance only: position step of the device; motion of up to two steps, and of up to 20 µm, does not lengthen the path. A session takes a missing value from its device</source>
+        <translation>Nur mit dem Index distance: Positionsschritt des Geräts; eine Bewegung um bis zu zwei Schritte und um bis zu 20 µm verlängert den Weg nicht. Eine Sitzung übernimmt einen fehlenden Wert von ihrem Gerät</translation>
+    </message>
+    <message>
+        <source>Shape of the rigid tip: a ball, or the flat end of a cylinder</source>
+        <translation>Form der starren Spitze: eine Kugel (ball) oder das flache Ende eines Zylinders (flat)</translation>
+    </message>
+    <message>
+        <source>Radius of the tip; the contact is computed in cells of 1/15 of it, and texture finer than two cells is lost</source>
+        <translation>Radius der Spitze; der Kontakt wird in Zellen von 1/15 des Radius berechnet, und Textur, die feiner als zwei Zellen ist, geht verloren</translation>
+    </message>
+    <message>
+        <source>fixed: the tip stays upright; device: it tilts with the handle, by small angles</source>
+        <translation>fixed: Die Spitze bleibt aufrecht; device: Sie neigt sich mit dem Griff, um kleine Winkel</translation>
+    </message>
+    <message>
+        <source>A rigid tip on a textured bed of springs</source>
+        <translation>Eine starre Spitze auf einem texturierten Bett aus Federn</translation>
+    </message>
+    <message>
+        <source>Pressure per depth; the default is as stiff under a flat end of 3 mm as elastic_halfspace with its defaults</source>
+        <translation>Druck je Tiefe; die Vorgabe ist unter einem flachen Ende von 3 mm so steif wie elastic_halfspace mit seinen Vorgaben</translation>
+    </message>
+    <message>
+        <source>virtual: springs connect the hand to a simulated tool; none: the tool is at the position of the device</source>
+        <translation>virtual: Federn verbinden die Hand mit einem simulierten Werkzeug; none: Das Werkzeug ist an der Position des Geräts</translation>
+    </message>
+    <message>
+        <source>hard: the largest depth and central differences, as in the source; smooth: a soft maximum and its exact gradient, which give a different force</source>
+        <translation>hard: die größte Tiefe und zentrale Differenzen, wie in der Quelle; smooth: ein weiches Maximum und sein exakter Gradient, die eine andere Kraft ergeben</translation>
+    </message>
+    <message>
+        <source>Hard maximum only: displacement of the tool for a finite difference; 1, 2, 4 or 8 cells, and at most an eighth of the shortest wavelength</source>
+        <translation>Nur mit hartem Maximum: Verschiebung des Werkzeugs für eine finite Differenz; 1, 2, 4 oder 8 Zellen und höchstens ein Achtel der kürzesten Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Smooth maximum only: heights within a few tau of the highest contribute together</source>
+        <translation>Nur mit weichem Maximum: Höhen innerhalb weniger tau unter der höchsten tragen gemeinsam bei</translation>
+    </message>
+    <message>
+        <source>Spacing of the samples of a contact</source>
+        <translation>Abstand der Abtastwerte eines Kontakts</translation>
+    </message>
+    <message>
+        <source>Maximum number of samples across a contact; a wider contact has larger cells</source>
+        <translation>Höchstzahl der Abtastwerte quer über einen Kontakt; ein breiterer Kontakt hat größere Zellen</translation>
+    </message>
+    <message>
+        <source>Hard maximum only: how often the cells of a contact on many crests may be halved, up to 8 cells in a step; 0: never</source>
+        <translation>Nur mit hartem Maximum: wie oft die Zellen eines Kontakts auf vielen Kämmen halbiert werden dürfen, bis zu 8 Zellen je Schritt; 0: nie</translation>
+    </message>
+    <message>
+        <source>Factor applied to the displacements of the surface</source>
+        <translation>Faktor auf die Verschiebungen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Factor applied to the displacements of the tool</source>
+        <translation>Faktor auf die Verschiebungen des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Damping of a contact along its gradient; without a coupling, this damping plus half the stiffness times the period must be less than the device&apos;s damping</source>
+        <translation>Dämpfung eines Kontakts entlang seines Gradienten; ohne Kopplung muss diese Dämpfung plus die halbe Steifigkeit mal die Periode kleiner sein als die Dämpfung des Geräts</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: stiffness between hand and tool; half of it times the period, plus the coupling&apos;s damping, must be less than the device&apos;s damping</source>
+        <translation>Nur mit virtueller Kopplung: Steifigkeit zwischen Hand und Werkzeug; ihre Hälfte mal die Periode plus die Dämpfung der Kopplung muss kleiner sein als die Dämpfung des Geräts</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: damping between hand and tool; for its limit see coupling_stiffness_N_per_m</source>
+        <translation>Nur mit virtueller Kopplung: Dämpfung zwischen Hand und Werkzeug; zur Grenze siehe coupling_stiffness_N_per_m</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: angular stiffness between hand and tool, which aligns the tool with the hand</source>
+        <translation>Nur mit virtueller Kopplung: Drehsteifigkeit zwischen Hand und Werkzeug, die das Werkzeug nach der Hand ausrichtet</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: angular damping between hand and tool</source>
+        <translation>Nur mit virtueller Kopplung: Drehdämpfung zwischen Hand und Werkzeug</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: mass of the simulated tool, which is added to the mass of the device</source>
+        <translation>Nur mit virtueller Kopplung: Masse des simulierten Werkzeugs, die zur Masse des Geräts hinzukommt</translation>
+    </message>
+    <message>
+        <source>Virtual coupling only: moment of inertia of the simulated tool about every axis</source>
+        <translation>Nur mit virtueller Kopplung: Trägheitsmoment des simulierten Werkzeugs um jede Achse</translation>
+    </message>
+    <message>
+        <source>Two textured meshes in six degrees of freedom: the gradient of penetration depth</source>
+        <translation>Zwei texturierte Netze in sechs Freiheitsgraden: der Gradient der Eindringtiefe</translation>
+    </message>
+    <message>
+        <source>the relief is %1 mm wide, too narrow for %2 samples at %3 m/s and %4 Hz; choose a lower speed or a higher sampling rate</source>
+        <translation>das Relief ist %1 mm breit, zu schmal für %2 Abtastwerte bei %3 m/s und %4 Hz; eine niedrigere Geschwindigkeit oder eine höhere Abtastrate wählen</translation>
+    </message>
+    <message>
+        <source>%1: stroke %2 has no vibration; leave it out of the recording</source>
+        <translation>%1: Strich %2 enthält keine Vibration; ihn in der Aufzeichnung weglassen</translation>
+    </message>
+    <message>
+        <source>%1: model %2 at %3 m/s and %4 N is silent, and the logarithm of its variance does not exist; set variance to linear</source>
+        <translation>%1: Modell %2 bei %3 m/s und %4 N ist stumm, und den Logarithmus seiner Varianz gibt es nicht; variance auf linear setzen</translation>
     </message>
 </context>
 <context>
@@ -10768,6 +11470,2925 @@
     <message>
         <source>the participant label &quot;%1&quot; is not acceptable: it must consist of 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
         <translation>das Kürzel „%1“ ist nicht zulässig: Erlaubt sind 1 bis 32 Buchstaben und Ziffern (0-9, A-Z, a-z)</translation>
+    </message>
+</context>
+<context>
+    <name>Protocols</name>
+    <message>
+        <source>the stimuli could not be examined: %1</source>
+        <translation>die Reize konnten nicht untersucht werden: %1</translation>
+    </message>
+    <message>
+        <source>a problem at line %2: %3</source>
+        <translation>ein Problem in Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 problems, the first at line %2: %3</source>
+        <translation>%1 Probleme, das erste in Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>no session can run in the language %1: with %2 the protocol has %3</source>
+        <translation>in der Sprache %1 kann keine Sitzung durchgeführt werden: Mit %2 hat das Protokoll %3</translation>
+    </message>
+    <message>
+        <source>no session can run in the language %1: %2 has %3</source>
+        <translation>in der Sprache %1 kann keine Sitzung durchgeführt werden: %2 hat %3</translation>
+    </message>
+    <message>
+        <source>%1; choose another device, or relax the requirement in the protocol</source>
+        <translation>%1; ein anderes Gerät wählen oder die Anforderung im Protokoll lockern</translation>
+    </message>
+    <message>
+        <source>%1 stroke of the exploration %2 takes %3 s, but a visit ends after %4 s; state fewer strokes, or raise %5</source>
+        <translation>%1 Strich der Exploration %2 dauert %3 s, ein Besuch endet aber nach %4 s; weniger Striche angeben oder %5 erhöhen</translation>
+    </message>
+    <message>
+        <source>%1 strokes of the exploration %2 take %3 s, but a visit ends after %4 s; state fewer strokes, or raise %5</source>
+        <translation>%1 Striche der Exploration %2 dauern %3 s, ein Besuch endet aber nach %4 s; weniger Striche angeben oder %5 erhöhen</translation>
+    </message>
+    <message>
+        <source>the patches are %1 mm wide, but the exploration %2 requests strokes of %3 mm; request shorter strokes, or use a wider surface</source>
+        <translation>die Felder sind %1 mm breit, die Exploration %2 verlangt aber Striche von %3 mm; kürzere Striche verlangen oder eine breitere Oberfläche verwenden</translation>
+    </message>
+    <message>
+        <source>at the edge of a patch of %1 the force can change by %2 mN from tick to tick, and a change of more than %3 mN is felt as a step; lower the amplitude, the stiffness or the maximum speed of the exploration</source>
+        <translation>am Rand eines Felds mit dem Reiz %1 kann sich die Kraft von Takt zu Takt um %2 mN ändern, und eine Änderung um mehr als %3 mN ist als Sprung spürbar; die Amplitude, die Steifigkeit oder die Höchstgeschwindigkeit der Exploration verringern</translation>
+    </message>
+    <message>
+        <source>the patches are %1 mm wide and contain %2 periods of the stimulus %3 (%4 mm); ten or more are needed to feel a texture: use a wider surface or a shorter period</source>
+        <translation>die Felder sind %1 mm breit und enthalten %2 Perioden des Reizes %3 (%4 mm); um eine Textur zu fühlen, sind mindestens zehn nötig: eine breitere Oberfläche oder eine kürzere Periode verwenden</translation>
+    </message>
+    <message>
+        <source>lower noise_rate_Hz to the rate of the servo loop, or raise %1 of the device</source>
+        <translation>noise_rate_Hz auf die Rate der Servoschleife verringern oder %1 des Geräts erhöhen</translation>
+    </message>
+    <message>
+        <source>raise %1 of the device</source>
+        <translation>%1 des Geräts erhöhen</translation>
+    </message>
+    <message>
+        <source>the force of the stimulus %1 changes with time at frequencies up to %2 Hz, above the Nyquist frequency of the servo loop, half of %3 Hz: these frequencies would be aliased; %4</source>
+        <translation>die Kraft des Reizes %1 ändert sich zeitlich mit Frequenzen bis %2 Hz, oberhalb der Nyquist-Frequenz der Servoschleife, der Hälfte von %3 Hz: Diese Frequenzen würden durch Aliasing verfälscht; %4</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 cannot be rendered: %2</source>
+        <translation>der Reiz %1 kann nicht wiedergegeben werden: %2</translation>
+    </message>
+    <message>
+        <source>the first OpenCL device of this computer, %1, is a processor, not a GPU; use --compute cpu on this computer, or install the OpenCL driver of its GPU</source>
+        <translation>das erste OpenCL-Gerät dieses Rechners, %1, ist ein Prozessor und keine GPU; auf diesem Rechner --compute cpu verwenden oder den OpenCL-Treiber der GPU installieren</translation>
+    </message>
+    <message>
+        <source>on this computer %1</source>
+        <translation>auf diesem Rechner: %1</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 exerts at most %2 N at rest, but the exploration %3 requests %4 N: the force would be constant and without texture; raise the stiffness or the parameter that limits the depth, or request less force</source>
+        <translation>der Reiz %1 übt in Ruhe höchstens %2 N aus, die Exploration %3 verlangt aber %4 N: Die Kraft wäre konstant und ohne Textur; die Steifigkeit oder den Parameter, der die Tiefe begrenzt, erhöhen oder weniger Kraft verlangen</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 in the exploration %2: %3</source>
+        <translation>der Reiz %1 in der Exploration %2: %3</translation>
+    </message>
+    <message>
+        <source>the levels %1 and %2 are the same value of %3, %4, because values have 12 significant digits; use a larger step</source>
+        <translation>die Stufen %1 und %2 sind derselbe Wert von %3, %4, weil Werte 12 gültige Stellen haben; einen größeren Schritt verwenden</translation>
+    </message>
+    <message>
+        <source>the levels %1 and %2 are the same value of %3, %4, because values have 12 significant digits; leave one of them out</source>
+        <translation>die Stufen %1 und %2 sind derselbe Wert von %3, %4, weil Werte 12 gültige Stellen haben; eine der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>all heights of %1 are the same, so that the surface has no texture at any level of %2; use a height field with a texture, or vary another parameter</source>
+        <translation>alle Höhen von %1 sind gleich, sodass die Oberfläche auf keiner Stufe von %2 eine Textur hat; ein Höhenfeld mit einer Textur verwenden oder einen anderen Parameter variieren</translation>
+    </message>
+    <message>
+        <source>the file %1 is not in the study %2; copy the file into the study, or the computed texture of this name from a demo study (asperity new DIR --demo), together with its .json if there is one</source>
+        <translation>die Datei %1 ist nicht in der Studie %2; die Datei in die Studie kopieren oder die berechnete Textur dieses Namens aus einer Demostudie (asperity new DIR --demo), zusammen mit ihrer .json, falls vorhanden</translation>
+    </message>
+    <message>
+        <source>the file %1 is not in the study %2; copy the file into the study</source>
+        <translation>die Datei %1 ist nicht in der Studie %2; die Datei in die Studie kopieren</translation>
+    </message>
+    <message>
+        <source>the file %1 is a symbolic link to %2, which is outside the study %3; copy the file into the study</source>
+        <translation>die Datei %1 ist ein symbolischer Link auf %2 außerhalb der Studie %3; die Datei in die Studie kopieren</translation>
+    </message>
+    <message>
+        <source>the file %1 is not a WAV file; save it as WAV</source>
+        <translation>die Datei %1 ist keine WAV-Datei; sie als WAV speichern</translation>
+    </message>
+    <message>
+        <source>the body %1 cannot be made: %2</source>
+        <translation>der Körper %1 kann nicht erzeugt werden: %2</translation>
+    </message>
+    <message>
+        <source>the variation of the lateral force</source>
+        <translation>die Schwankung der Seitenkraft</translation>
+    </message>
+    <message>
+        <source>the variation of the normal force</source>
+        <translation>die Schwankung der Normalkraft</translation>
+    </message>
+    <message>
+        <source>the vibration of a held tool</source>
+        <translation>die Vibration eines gehaltenen Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the depth to which the surface yields over the normal force</source>
+        <translation>die Tiefe, um die die Oberfläche nachgibt, je Normalkraft</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which is %2 at the standard and %3 to %4 at the levels of %5: with this criterion nearly all simulated responses are the same. State a value between that of the standard and those of the levels</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe beträgt %2 beim Standardreiz und %3 bis %4 auf den Stufen von %5: Mit diesem Kriterium sind fast alle simulierten Antworten gleich. Einen Wert zwischen dem des Standardreizes und denen der Stufen angeben</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which does not change with %2: simulated responses are guesses. State another %3 under %4, or a surface on which this force depends on the parameter (its friction and its force_direction determine the lateral force)</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe ändert sich nicht mit %2: Simulierte Antworten sind geraten. Unter %4 für %3 etwas anderes angeben oder eine Oberfläche verwenden, auf der diese Kraft vom Parameter abhängt (ihre Reibung und ihre force_direction bestimmen die Seitenkraft)</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which decreases by a factor of %2 where %3 increases from its smallest to its largest value: simulated responses are systematically incorrect. State %4: %5 under %6</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe nimmt um den Faktor %2 ab, wenn %3 vom kleinsten zum größten Wert zunimmt: Simulierte Antworten sind systematisch falsch. %4: %5 unter %6 angeben</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which increases by a factor of %2 where %3 increases from its smallest to its largest value: simulated responses are systematically incorrect. State %4: %5 under %6</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe nimmt um den Faktor %2 zu, wenn %3 vom kleinsten zum größten Wert zunimmt: Simulierte Antworten sind systematisch falsch. %4: %5 unter %6 angeben</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which differs from the standard by a factor of at most %2 within the levels of %3: with a %4 of %5 and a %8 of %9 it distinguishes no level from the standard in more than %6 % of trials, and a threshold requires %7 %</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe unterscheidet sich auf den Stufen von %3 höchstens um den Faktor %2 vom Standardreiz: Bei %4 = %5 und %8 = %9 unterscheidet die Versuchsperson keine Stufe in mehr als %6 % der Durchgänge vom Standardreiz, und eine Schwelle erfordert %7 %</translation>
+    </message>
+    <message>
+        <source>the virtual observer judges %1, which differs from the standard by a factor of at most %2 within the levels of %3: with a %4 of %5 it distinguishes no level from the standard in more than %6 % of trials, and a threshold requires %7 %</source>
+        <translation>die virtuelle Versuchsperson beurteilt %1; diese Größe unterscheidet sich auf den Stufen von %3 höchstens um den Faktor %2 vom Standardreiz: Bei %4 = %5 unterscheidet die Versuchsperson keine Stufe in mehr als %6 % der Durchgänge vom Standardreiz, und eine Schwelle erfordert %7 %</translation>
+    </message>
+    <message>
+        <source>State levels farther from the standard, or a smaller %1 or another %2 under %3</source>
+        <translation>Stufen angeben, die weiter vom Standardreiz entfernt sind, oder unter %3 für %1 einen kleineren Wert oder für %2 etwas anderes</translation>
+    </message>
+    <message>
+        <source>the plug-in of its force model failed in a stroke across the surface: %1; correct the plug-in, or the values of the stimulus</source>
+        <translation>das Plug-in des Kraftmodells ist bei einem Strich über die Oberfläche gescheitert: %1; das Plug-in oder die Werte des Reizes berichtigen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>no part of the surface %1 lies under the path of the tool %2</source>
+        <translation>kein Teil der Oberfläche %1 liegt unter dem Weg des Werkzeugs %2</translation>
+    </message>
+    <message>
+        <source>the tool %2 begins inside the surface %1 and never leaves it</source>
+        <translation>das Werkzeug %2 beginnt innerhalb der Oberfläche %1 und verlässt sie nie</translation>
+    </message>
+    <message>
+        <source>no part of the surface %1 lies under the path of the hand</source>
+        <translation>kein Teil der Oberfläche %1 liegt unter dem Weg der Hand</translation>
+    </message>
+    <message>
+        <source>the hand begins inside the surface %1 and never leaves it</source>
+        <translation>die Hand beginnt innerhalb der Oberfläche %1 und verlässt sie nie</translation>
+    </message>
+    <message>
+        <source>; its lowest point lies in that plane, as after `asperity bake --for tool`: bake it again with `--for surface`</source>
+        <translation>; ihr tiefster Punkt liegt in dieser Ebene, wie nach `asperity bake --for tool`: das Netz mit `--for surface` neu erzeugen</translation>
+    </message>
+    <message>
+        <source>; the highest point of a surface must lie in that plane: bake it again with `--for surface`</source>
+        <translation>; der höchste Punkt einer Oberfläche muss in dieser Ebene liegen: das Netz mit `--for surface` neu erzeugen</translation>
+    </message>
+    <message>
+        <source>; the strokes extend beyond the surface: make the surface longer, or reduce %1 of the exploration</source>
+        <translation>; die Striche reichen über die Oberfläche hinaus: die Oberfläche verlängern oder %1 der Exploration verringern</translation>
+    </message>
+    <message>
+        <source>%1: strokes begin in the plane z = 0, %2 mm from the middle, and the surface lies at x %3, y %4, z %5%6%7</source>
+        <translation>%1: Striche beginnen in der Ebene z = 0, %2 mm von der Mitte entfernt, und die Oberfläche liegt bei x %3, y %4, z %5%6%7</translation>
+    </message>
+    <message>
+        <source>: its shortest wavelength is %1 µm, and samples of %2 µm (cell_m) represent wavelengths of %3 µm and longer; use a texture without shorter wavelengths, or a cell_m of %4 µm or less, which takes longer to render. A step at the seam of a repeated tile counts as the shortest wavelength</source>
+        <translation>: Die kürzeste Wellenlänge der Textur beträgt %1 µm, und Abtastwerte im Abstand von %2 µm (cell_m) stellen Wellenlängen ab %3 µm dar; eine Textur ohne kürzere Wellenlängen verwenden oder cell_m auf höchstens %4 µm setzen, was die Wiedergabe langsamer macht. Ein Sprung an der Naht einer wiederholten Kachel zählt als kürzeste Wellenlänge</translation>
+    </message>
+    <message>
+        <source> with the texture %1</source>
+        <translation> mit der Textur %1</translation>
+    </message>
+    <message>
+        <source> under the tool %1</source>
+        <translation> unter dem Werkzeug %1</translation>
+    </message>
+    <message>
+        <source> (see &quot;Counted conditions&quot; in docs/models/%1.md)</source>
+        <translation> (siehe „Counted conditions“ in docs/models/%1.md)</translation>
+    </message>
+    <message>
+        <source>the stimulus %1%2%3 violates the assumption %4 of %5 (ticks of contact: %6 of %7); where it does, its force differs from the declared force%8</source>
+        <translation>der Reiz %1%2%3 verletzt die Annahme %4 von %5 (Takte im Kontakt: %6 von %7); wo das geschieht, weicht seine Kraft von der angegebenen ab%8</translation>
+    </message>
+    <message>
+        <source>%1 session</source>
+        <translation>%1 Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 sessions</source>
+        <translation>%1 Sitzungen</translation>
+    </message>
+    <message>
+        <source>whether the study has sessions with another text of this version, or with another build of a plug-in, could not be determined: %1</source>
+        <translation>ob die Studie Sitzungen mit einem anderen Text dieser Version oder mit einem anderen Build eines Plug-ins hat, ließ sich nicht feststellen: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticks of strokes at %3 mm/s and %4 N</source>
+        <translation>%1 von %2 Takten der Striche mit %3 mm/s und %4 N</translation>
+    </message>
+    <message>
+        <source>%1 of %2 touch-downs at %3 mm/s</source>
+        <translation>%1 von %2 Aufsetzbewegungen mit %3 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 and in %2</source>
+        <translation>%1 und in %2</translation>
+    </message>
+    <message>
+        <source>the force of the stimulus %1 (model %2) would be limited in %3 in the exploration %4: within a millisecond it would grow or turn by more than %5 N, and another texture would be felt; lower the amplitude, the stiffness or the speed</source>
+        <translation>die Kraft des Reizes %1 (Kraftmodell %2) würde in der Exploration %4 in %3 begrenzt: Innerhalb einer Millisekunde würde sie um mehr als %5 N wachsen oder sich drehen, und es wäre eine andere Textur zu fühlen; die Amplitude, die Steifigkeit oder die Geschwindigkeit verringern</translation>
+    </message>
+    <message>
+        <source>the texture %1 (%2), used in %3: %4</source>
+        <translation>die Textur %1 (%2), verwendet in %3: %4</translation>
+    </message>
+    <message>
+        <source>the protocol states a spacing of %1 m, but according to its sidecar the file was made with %2 m; use a %3 of %4 or another file</source>
+        <translation>Das Protokoll gibt einen Abstand von %1 m an, laut der Begleitdatei wurde die Datei aber mit %2 m erzeugt; %3 auf %4 setzen oder eine andere Datei verwenden</translation>
+    </message>
+    <message>
+        <source>the protocol states a spacing of %1 m, but according to its sidecar the file was made with %2 m (%4 m at a motion scale of %5); use a %3 of %4 or another file</source>
+        <translation>Das Protokoll gibt einen Abstand von %1 m an, laut der Begleitdatei wurde die Datei aber mit %2 m erzeugt (%4 m bei einem Bewegungsmaßstab von %5); %3 auf %4 setzen oder eine andere Datei verwenden</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>a choice of one option</source>
+        <translation>die Wahl einer Antwortmöglichkeit</translation>
+    </message>
+    <message>
+        <source>a multiple choice</source>
+        <translation>eine Mehrfachauswahl</translation>
+    </message>
+    <message>
+        <source>an assignment</source>
+        <translation>eine Zuordnung</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a point on a scale</source>
+        <translation>einen Punkt auf einer Skala</translation>
+    </message>
+    <message>
+        <source>the length of a line</source>
+        <translation>die Länge einer Linie</translation>
+    </message>
+    <message>
+        <source>free text</source>
+        <translation>freien Text</translation>
+    </message>
+    <message>
+        <source>%1 is not expected</source>
+        <translation>%1 wird nicht erwartet</translation>
+    </message>
+    <message>
+        <source>%1 at character %2</source>
+        <translation>%1 (bei Zeichen %2)</translation>
+    </message>
+    <message>
+        <source>the formula has too many levels of parentheses</source>
+        <translation>Die Formel hat zu viele Klammerebenen</translation>
+    </message>
+    <message>
+        <source>a &quot;)&quot; is missing</source>
+        <translation>Es fehlt eine „)“</translation>
+    </message>
+    <message>
+        <source>a number, a factor or &quot;(&quot; is missing</source>
+        <translation>Es fehlt eine Zahl, ein Faktor oder eine „(“</translation>
+    </message>
+    <message>
+        <source>the number cannot be read</source>
+        <translation>Die Zahl ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1; did you mean %2?</source>
+        <translation>%1; gemeint ist vielleicht %2</translation>
+    </message>
+    <message>
+        <source>%1; none is declared: declare it, or remove the name</source>
+        <translation>%1; nichts dieser Art ist festgelegt: einen Eintrag mit diesem Namen ergänzen oder den Namen entfernen</translation>
+    </message>
+    <message>
+        <source>%1; use %2</source>
+        <translation>%1; möglich: %2</translation>
+    </message>
+    <message>
+        <source>there is no block %1</source>
+        <translation>es gibt keinen Block %1</translation>
+    </message>
+    <message>
+        <source>there is no body %1</source>
+        <translation>es gibt keinen Körper %1</translation>
+    </message>
+    <message>
+        <source>there is no exploration %1</source>
+        <translation>es gibt keine Exploration %1</translation>
+    </message>
+    <message>
+        <source>there is no factor %1</source>
+        <translation>es gibt keinen Faktor %1</translation>
+    </message>
+    <message>
+        <source>there is no force model %1</source>
+        <translation>es gibt kein Kraftmodell %1</translation>
+    </message>
+    <message>
+        <source>there is no group %1</source>
+        <translation>es gibt keine Gruppe %1</translation>
+    </message>
+    <message>
+        <source>there is no numeric parameter %1</source>
+        <translation>es gibt keinen numerischen Parameter %1</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>es gibt keinen Parameter %1</translation>
+    </message>
+    <message>
+        <source>there is no question %1</source>
+        <translation>es gibt keine Frage %1</translation>
+    </message>
+    <message>
+        <source>there is no role of an asset %1</source>
+        <translation>es gibt keine Datei mit der Rolle %1</translation>
+    </message>
+    <message>
+        <source>there is no stimulus %1</source>
+        <translation>es gibt keinen Reiz %1</translation>
+    </message>
+    <message>
+        <source>there is no texture %1</source>
+        <translation>es gibt keine Textur %1</translation>
+    </message>
+    <message>
+        <source>a limit must be a finite number</source>
+        <translation>ein Grenzwert muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1 is not a protocol; a protocol is an object {…} that begins with &quot;format&quot;: &quot;asperity.protocol/1&quot;</source>
+        <translation>%1 ist kein Protokoll; ein Protokoll ist ein Objekt {…}, das mit &quot;format&quot;: &quot;asperity.protocol/1&quot; beginnt</translation>
+    </message>
+    <message>
+        <source>; add the closing quotation mark</source>
+        <translation>; das schließende Anführungszeichen ergänzen</translation>
+    </message>
+    <message>
+        <source>; add the closing quotation mark on this line, or write \n for a line break</source>
+        <translation>; das schließende Anführungszeichen in dieser Zeile ergänzen oder \n für einen Zeilenumbruch schreiben</translation>
+    </message>
+    <message>
+        <source>; write \\ for a backslash</source>
+        <translation>; \\ für einen umgekehrten Schrägstrich schreiben</translation>
+    </message>
+    <message>
+        <source>write double quotation marks (&quot;) instead of single ones</source>
+        <translation>doppelte Anführungszeichen (&quot;) statt einfacher schreiben</translation>
+    </message>
+    <message>
+        <source>JSON has no comments: delete it, or write it as the text of a key &quot;$comment&quot;</source>
+        <translation>JSON hat keine Kommentare: den Kommentar löschen oder als Text einer Einstellung &quot;$comment&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>delete what follows the end of the protocol, or a closing bracket too many before it</source>
+        <translation>löschen, was nach dem Ende des Protokolls steht, oder eine überzählige schließende Klammer davor</translation>
+    </message>
+    <message>
+        <source>write a decimal point in place of the comma before it</source>
+        <translation>einen Dezimalpunkt statt des Kommas davor schreiben</translation>
+    </message>
+    <message>
+        <source>write a value after the colon</source>
+        <translation>nach dem Doppelpunkt einen Wert schreiben</translation>
+    </message>
+    <message>
+        <source>delete this comma</source>
+        <translation>dieses Komma löschen</translation>
+    </message>
+    <message>
+        <source>delete the comma before it: the last entry has none</source>
+        <translation>das Komma davor löschen: Nach dem letzten Eintrag steht keines</translation>
+    </message>
+    <message>
+        <source>close the list with &apos;]&apos; before it</source>
+        <translation>davor die Liste mit &apos;]&apos; schließen</translation>
+    </message>
+    <message>
+        <source>close the object with &apos;}&apos; before it</source>
+        <translation>davor das Objekt mit &apos;}&apos; schließen</translation>
+    </message>
+    <message>
+        <source>delete this colon</source>
+        <translation>diesen Doppelpunkt löschen</translation>
+    </message>
+    <message>
+        <source>a colon is permitted only between a key and its value: add a comma or a quotation mark before it</source>
+        <translation>ein Doppelpunkt ist nur zwischen einer Einstellung und ihrem Wert zulässig: davor ein Komma oder ein Anführungszeichen ergänzen</translation>
+    </message>
+    <message>
+        <source>write a colon between a key and its value, and close every quotation mark</source>
+        <translation>zwischen eine Einstellung und ihren Wert einen Doppelpunkt setzen und jedes Anführungszeichen schließen</translation>
+    </message>
+    <message>
+        <source>write the key in &quot;quotation marks&quot;</source>
+        <translation>die Einstellung in &quot;Anführungszeichen&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>add a comma after the entry before it, or close a quotation mark</source>
+        <translation>nach dem Eintrag davor ein Komma ergänzen oder ein Anführungszeichen schließen</translation>
+    </message>
+    <message>
+        <source>this text is longer than %1 bytes; shorten it</source>
+        <translation>dieser Text ist länger als %1 Byte; ihn kürzen</translation>
+    </message>
+    <message>
+        <source>this text contains U+0000 (\u0000); delete this character</source>
+        <translation>dieser Text enthält U+0000 (\u0000); dieses Zeichen löschen</translation>
+    </message>
+    <message>
+        <source>this key is longer than %1 bytes; shorten it</source>
+        <translation>diese Einstellung hat einen Namen von mehr als %1 Byte; ihn kürzen</translation>
+    </message>
+    <message>
+        <source>the key %1 occurs twice in this object; keep one</source>
+        <translation>die Einstellung %1 kommt in diesem Objekt zweimal vor; nur eine behalten</translation>
+    </message>
+    <message>
+        <source>the key %1 contains U+0000 (\u0000); delete this character</source>
+        <translation>die Einstellung %1 enthält U+0000 (\u0000); dieses Zeichen löschen</translation>
+    </message>
+    <message>
+        <source>the number %1 is too large to be read; write a smaller one</source>
+        <translation>die Zahl %1 ist zu groß, um gelesen zu werden; eine kleinere schreiben</translation>
+    </message>
+    <message>
+        <source>this text is not UTF-8; save the file as UTF-8</source>
+        <translation>dieser Text ist nicht UTF-8; die Datei als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>this text is invalid: %1%2</source>
+        <translation>dieser Text ist ungültig: %1%2</translation>
+    </message>
+    <message>
+        <source>the file is empty; write a JSON object {…}</source>
+        <translation>die Datei ist leer; ein JSON-Objekt {…} schreiben</translation>
+    </message>
+    <message>
+        <source>the text ends before the JSON is complete; close every quotation mark and bracket</source>
+        <translation>der Text endet, bevor das JSON vollständig ist; jedes Anführungszeichen und jede Klammer schließen</translation>
+    </message>
+    <message>
+        <source>there is %1 here; %2</source>
+        <translation>hier steht %1; %2</translation>
+    </message>
+    <message>
+        <source>unexpected %1; %2</source>
+        <translation>%1 wird hier nicht erwartet; %2</translation>
+    </message>
+    <message>
+        <source>%1 is not JSON: write a finite number, text in quotation marks, true, false, null, […] or {…}</source>
+        <translation>%1 ist kein JSON: eine endliche Zahl, Text in Anführungszeichen, true, false, null, […] oder {…} schreiben</translation>
+    </message>
+    <message>
+        <source>unexpected %1%2</source>
+        <translation>%1 wird hier nicht erwartet%2</translation>
+    </message>
+    <message>
+        <source>more than %1 entries in one place; reduce their number</source>
+        <translation>mehr als %1 Einträge an einer Stelle; ihre Anzahl verringern</translation>
+    </message>
+    <message>
+        <source>nested deeper than %1 levels; reduce the nesting</source>
+        <translation>tiefer als %1 Ebenen verschachtelt; die Verschachtelung verringern</translation>
+    </message>
+    <message>
+        <source>larger than 4 MiB, the maximum size of a protocol; name another file</source>
+        <translation>größer als 4 MiB, die Höchstgröße eines Protokolls; eine andere Datei angeben</translation>
+    </message>
+    <message>
+        <source>begins with a byte order mark; save the file as UTF-8 without one</source>
+        <translation>beginnt mit einer Bytereihenfolge-Markierung (BOM); die Datei als UTF-8 ohne BOM speichern</translation>
+    </message>
+    <message>
+        <source>this is not UTF-8 text (it looks like UTF-16); save the file as UTF-8</source>
+        <translation>dies ist kein Text in UTF-8 (wahrscheinlich UTF-16); die Datei als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>this is not a JSON text file, but a binary one, such as a picture; name a text file in UTF-8 with a JSON object {…}</source>
+        <translation>dies ist keine Textdatei mit JSON, sondern eine Binärdatei, zum Beispiel ein Bild; eine Textdatei in UTF-8 mit einem JSON-Objekt {…} angeben</translation>
+    </message>
+    <message>
+        <source>the file contains a zero byte (U+0000); delete this character</source>
+        <translation>die Datei enthält ein Nullbyte (U+0000); dieses Zeichen löschen</translation>
+    </message>
+    <message>
+        <source>this is not JSON; write a JSON object {…}</source>
+        <translation>dies ist kein JSON; ein JSON-Objekt {…} schreiben</translation>
+    </message>
+    <message>
+        <source>no main block of ratings has a scale %1; add one</source>
+        <translation>kein Hauptblock mit Beurteilungen hat eine Skala %1; eine ergänzen</translation>
+    </message>
+    <message>
+        <source>no main block of ratings has a scale %1; use %2</source>
+        <translation>kein Hauptblock mit Beurteilungen hat eine Skala %1; %2 verwenden</translation>
+    </message>
+    <message>
+        <source>the scale %1 is named twice; name it once</source>
+        <translation>die Skala %1 ist zweimal genannt; sie nur einmal nennen</translation>
+    </message>
+    <message>
+        <source>the scales of a construct are added up and have one range: %1 has %2 to %3, the first scale %4 to %5; give them the same minimum and maximum</source>
+        <translation>die Skalen eines Konstrukts werden addiert und haben denselben Wertebereich: %1 reicht von %2 bis %3, die erste Skala von %4 bis %5; ihnen dasselbe Minimum und Maximum geben</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the scales of this construct; use %2</source>
+        <translation>%1 gehört nicht zu den Skalen dieses Konstrukts; %2 verwenden</translation>
+    </message>
+    <message>
+        <source>%1 is not a key of the analysis; did you mean %2?</source>
+        <translation>%1 ist keine Einstellung der Auswertung; gemeint ist vielleicht %2</translation>
+    </message>
+    <message>
+        <source>the target %1 cannot be chosen in a main block</source>
+        <translation>das Ziel %1 kann in keinem Hauptblock gewählt werden</translation>
+    </message>
+    <message>
+        <source>the target %1 cannot be chosen in a main block; use %2</source>
+        <translation>das Ziel %1 kann in keinem Hauptblock gewählt werden; %2 verwenden</translation>
+    </message>
+    <message>
+        <source>no main block has catch trials, by whose errors participants are excluded; add %1 to the procedure of a discrimination, or remove this key</source>
+        <translation>kein Hauptblock hat Kontrolldurchgänge, nach deren Fehlern Versuchspersonen ausgeschlossen werden; %1 im Verfahren einer Unterscheidung ergänzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>%1 or a %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>a %1 has no test %2; use %3</source>
+        <translation>für die Art %1 gibt es keinen Test %2; %3 verwenden</translation>
+    </message>
+    <message>
+        <source>the test %1 is named twice; name it once</source>
+        <translation>der Test %1 ist zweimal genannt; ihn nur einmal nennen</translation>
+    </message>
+    <message>
+        <source>the test %1 compares the groups of the protocol, which has none: add the key %2</source>
+        <translation>der Test %1 vergleicht die Gruppen des Protokolls, das keine hat: die Einstellung %2 ergänzen</translation>
+    </message>
+    <message>
+        <source>the test %1 requires a target: name it with %2</source>
+        <translation>der Test %1 erfordert ein Ziel: es unter %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 includes the pairs of the target; keep one of the two</source>
+        <translation>der Test %1 schließt die Paare mit dem Ziel ein; nur einen der beiden Tests behalten</translation>
+    </message>
+    <message>
+        <source>the exploration %1 requires at least %2 strokes; state more strokes, or lower its minimum</source>
+        <translation>die Exploration %1 erfordert mindestens %2 Striche; mehr Striche angeben oder ihr Minimum verringern</translation>
+    </message>
+    <message>
+        <source>the exploration %1 permits no more strokes than %2, and the stroke that has begun at the end of a visit counts; state fewer strokes, or raise its maximum</source>
+        <translation>die Exploration %1 lässt nicht mehr als %2 Striche zu, und der am Ende eines Besuchs begonnene Strich zählt mit; weniger Striche angeben oder ihr Maximum erhöhen</translation>
+    </message>
+    <message>
+        <source>state what ends a visit: %1 or %2; or remove this key</source>
+        <translation>angeben, was einen Besuch beendet: %1 oder %2; oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the exploration %1 requires a contact of at least %2 s; state a longer %3, or lower %4</source>
+        <translation>die Exploration %1 erfordert einen Kontakt von mindestens %2 s; %3 erhöhen oder %4 verringern</translation>
+    </message>
+    <message>
+        <source>the exploration %1 permits a contact of at most %2 s, and the hand needs about %3 s to lift; state a shorter %4, or raise %5</source>
+        <translation>die Exploration %1 lässt einen Kontakt von höchstens %2 s zu, und die Hand benötigt etwa %3 s zum Abheben; %4 verringern oder %5 erhöhen</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 lies on a body, which cannot %2; remove its %3, or use another arrangement</source>
+        <translation>der Reiz %1 liegt auf einem Körper, der nicht %2 kann; seine Einstellung %3 entfernen oder eine andere Anordnung verwenden</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 has the model %2, whose bodies cannot %3; use a model of a plane, or another arrangement</source>
+        <translation>der Reiz %1 hat das Kraftmodell %2, dessen Körper nicht %3 können; ein Kraftmodell für eine Ebene oder eine andere Anordnung verwenden</translation>
+    </message>
+    <message>
+        <source>2 to 4 surfaces can lie side by side, but the block presents %1; use another arrangement</source>
+        <translation>2 bis 4 Oberflächen können nebeneinander liegen, der Block bietet aber %1 dar; eine andere Anordnung verwenden</translation>
+    </message>
+    <message>
+        <source>the hand moves freely over patches, so that visits have no maximum; remove this key</source>
+        <translation>die Hand bewegt sich frei über die Felder, daher gibt es keine Höchstzahl der Besuche; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the scene shows one surface, but the block %1 presents patches side by side; remove this key</source>
+        <translation>die Szene zeigt nur eine Oberfläche, der Block %1 bietet aber Felder nebeneinander dar; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the patches would be %1 mm wide, but need at least %2 mm; state a smaller gap or a wider surface</source>
+        <translation>die Felder wären %1 mm breit, müssen aber mindestens %2 mm breit sein; einen kleineren Zwischenraum oder eine breitere Oberfläche angeben</translation>
+    </message>
+    <message>
+        <source>lie side by side</source>
+        <translation>nebeneinander liegen</translation>
+    </message>
+    <message>
+        <source>the scene shows the relief of a surface, which would not agree with a drawn phase; use %1, or another scene</source>
+        <translation>die Szene zeigt das Relief einer Oberfläche, das nicht zu einer zufällig gezogenen Phase passen würde; %1 oder eine andere Szene verwenden</translation>
+    </message>
+    <message>
+        <source>a texture that is not repeated can be felt at one place only; use %1, or the tiling %2</source>
+        <translation>eine Textur, die sich nicht wiederholt, kann nur an einer Stelle gefühlt werden; %1 oder jenseits des Höhenfelds %2 verwenden</translation>
+    </message>
+    <message>
+        <source>have a drawn phase</source>
+        <translation>mit zufällig gezogener Phase dargeboten werden</translation>
+    </message>
+    <message>
+        <source>patches side by side lie in one plane; remove this key, or use another arrangement</source>
+        <translation>Felder nebeneinander liegen in einer Ebene; diese Einstellung entfernen oder eine andere Anordnung verwenden</translation>
+    </message>
+    <message>
+        <source>be raised</source>
+        <translation>angehoben werden</translation>
+    </message>
+    <message>
+        <source>the arrangement determines how often a surface can be felt; remove this key, and state %1 in the arrangement</source>
+        <translation>die Anordnung bestimmt, wie oft eine Oberfläche gefühlt werden kann; diese Einstellung entfernen und %1 in der Anordnung angeben</translation>
+    </message>
+    <message>
+        <source>%1 of the arrangement replaces this pause; keep one of the two</source>
+        <translation>die Einstellung %1 der Anordnung ersetzt diese Pause; nur eine der beiden Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>this pause applies only to surfaces in sequence; remove this key</source>
+        <translation>diese Pause gilt nur für Oberflächen, die nacheinander dargeboten werden; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the lower limit is above the upper limit; exchange the two numbers</source>
+        <translation>die untere Grenze liegt über der oberen; die beiden Zahlen vertauschen</translation>
+    </message>
+    <message>
+        <source>the maximum is below the minimum of %1; raise it, or lower the minimum</source>
+        <translation>das Maximum liegt unter dem Minimum von %1; es erhöhen oder das Minimum verringern</translation>
+    </message>
+    <message>
+        <source>the anchor does not set the levels of %1; write the two levels under %2</source>
+        <translation>der Anker legt die Stufen von %1 nicht fest; die beiden Stufen unter %2 angeben</translation>
+    </message>
+    <message>
+        <source>both levels are equal, and the pairs of this block are different; write two different levels</source>
+        <translation>beide Stufen sind gleich, die Paare dieses Blocks aber verschieden; zwei verschiedene Stufen angeben</translation>
+    </message>
+    <message>
+        <source>without %1 there are no anchors to place; add %1, or remove this key</source>
+        <translation>ohne die Einstellung %1 gibt es keine Anker, deren Stelle festzulegen wäre; %1 ergänzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the level of %1 is a number, in the measure of %2; write a number</source>
+        <translation>die Stufe von %1 ist eine Zahl im Maß von %2; eine Zahl angeben</translation>
+    </message>
+    <message>
+        <source>the trials of this block do not set the factor %1; remove it from the anchor</source>
+        <translation>die Durchgänge dieses Blocks legen den Faktor %1 nicht fest; ihn aus dem Anker entfernen</translation>
+    </message>
+    <message>
+        <source>the anchor does not set %1, which the trials of this block set; add it to the anchor</source>
+        <translation>der Anker legt %1 nicht fest, die Durchgänge dieses Blocks aber schon; diesen Faktor im Anker ergänzen</translation>
+    </message>
+    <message>
+        <source>in this kind of protocol the role of every surface is %1; write this role</source>
+        <translation>in dieser Art von Protokoll ist die Rolle jeder Oberfläche %1; diese Rolle angeben</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 needs the factor %2, which the trials of this block do not set: cross, list or draw it, run the block %3 of its levels, or fix it here with %4</source>
+        <translation>der Reiz %1 erfordert den Faktor %2, den die Durchgänge dieses Blocks nicht festlegen: ihn kreuzen, aufführen oder auslosen, den Block mit %3 einmal je Stufe ablaufen lassen oder ihn hier unter %4 festlegen</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 does not depend on the factor %2; remove this key</source>
+        <translation>der Reiz %1 hängt nicht vom Faktor %2 ab; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the pairs of the block %1 are divided into %2 parts, and a participant has the same part of all blocks; write this number</source>
+        <translation>die Paare des Blocks %1 sind in %2 Teile zerlegt, und eine Versuchsperson erhält in allen Blöcken denselben Teil; diese Zahl angeben</translation>
+    </message>
+    <message>
+        <source>the pairs of %1 levels can be divided into at most %2 parts; write this number or a smaller one</source>
+        <translation>die Paare von %1 Stufen lassen sich in höchstens %2 Teile zerlegen; diese oder eine kleinere Zahl angeben</translation>
+    </message>
+    <message>
+        <source>the factor %1 has one level and therefore no pairs; give it two levels or more</source>
+        <translation>der Faktor %1 hat eine Stufe und daher keine Paare; ihm zwei oder mehr Stufen geben</translation>
+    </message>
+    <message>
+        <source>with %1 one stimulus is presented with two levels of the factor; list it once</source>
+        <translation>mit %1 wird ein Reiz mit zwei Stufen des Faktors dargeboten; ihn nur einmal aufführen</translation>
+    </message>
+    <message>
+        <source>the pairs set the factor %1; remove this key</source>
+        <translation>die Paare legen den Faktor %1 fest; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>with %1 each surface has the name of its level; remove this key</source>
+        <translation>mit %1 trägt jede Oberfläche den Namen ihrer Stufe; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 does not depend on the factor %2, so that the two surfaces of a pair would be the same; bind its model, texture, a body or a parameter to the factor</source>
+        <translation>der Reiz %1 hängt nicht vom Faktor %2 ab, sodass die beiden Oberflächen eines Paars gleich wären; sein Kraftmodell, seine Textur, einen Körper oder einen Parameter an den Faktor binden</translation>
+    </message>
+    <message>
+        <source>%1 presents each pair in both orders; remove this key</source>
+        <translation>die Einstellung %1 bietet jedes Paar in beiden Reihenfolgen dar; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the same level of each pair would always be presented first, so that an order effect could not be distinguished from a difference; set %1 to true, or %2 to %3 or %4</source>
+        <translation>von jedem Paar würde immer dieselbe Stufe zuerst dargeboten, sodass sich ein Reihenfolgeeffekt nicht von einem Unterschied trennen ließe; %1 auf true oder %2 auf %3 oder %4 setzen</translation>
+    </message>
+    <message>
+        <source>another key of the block</source>
+        <translation>eine andere Einstellung des Blocks</translation>
+    </message>
+    <message>
+        <source>the factor %1 is already set by %2; set it in one place only</source>
+        <translation>der Faktor %1 ist bereits durch %2 festgelegt; ihn nur an einer Stelle festlegen</translation>
+    </message>
+    <message>
+        <source>this row does not set %1, which the first row sets; set the same factors in every row</source>
+        <translation>diese Zeile legt %1 nicht fest, die erste Zeile aber schon; in jeder Zeile dieselben Faktoren festlegen</translation>
+    </message>
+    <message>
+        <source>the first row does not set %1; set the same factors in every row</source>
+        <translation>die erste Zeile legt %1 nicht fest; in jeder Zeile dieselben Faktoren festlegen</translation>
+    </message>
+    <message>
+        <source>the factor %1 is already set inside the block; set it in one place only</source>
+        <translation>der Faktor %1 ist bereits im Block festgelegt; ihn nur an einer Stelle festlegen</translation>
+    </message>
+    <message>
+        <source>the trials of this block do not set the factor %1: cross, list or draw it, or run the block %2 of its levels</source>
+        <translation>die Durchgänge dieses Blocks legen den Faktor %1 nicht fest: ihn kreuzen, aufführen, auslosen oder den Block mit %2 einmal je Stufe ablaufen lassen</translation>
+    </message>
+    <message>
+        <source>a criterion needs correct responses, and no response of a %1 is correct or incorrect; remove this key</source>
+        <translation>ein Kriterium erfordert richtige Antworten, und bei einem Experiment der Art „%1“ ist keine Antwort richtig oder falsch; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the criterion cannot be met: it requires %1 correct of %2; lower this number or raise %3</source>
+        <translation>das Kriterium ist nicht erreichbar: Es erfordert %1 richtige Antworten von %2; diese Zahl verringern oder %3 erhöhen</translation>
+    </message>
+    <message>
+        <source>the block ends before %1 responses can be correct: %2 is %3; raise it</source>
+        <translation>der Block endet, bevor %1 Antworten richtig sein können: Die Einstellung %2 hat den Wert %3; ihn erhöhen</translation>
+    </message>
+    <message>
+        <source>a body is either a %1, a file of the study, or a %2, not both; remove one</source>
+        <translation>ein Körper hat entweder %1 (eine Datei der Studie) oder %2, nicht beides; eines davon entfernen</translation>
+    </message>
+    <message>
+        <source>a body is either a %1, a file of the study, or a %2; add one</source>
+        <translation>ein Körper hat entweder %1 (eine Datei der Studie) oder %2; eines davon ergänzen</translation>
+    </message>
+    <message>
+        <source>the file of a mesh determines its size; remove this key</source>
+        <translation>die Datei eines Netzes bestimmt seine Größe; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the file of a mesh determines its orientation; remove this key</source>
+        <translation>die Datei eines Netzes bestimmt seine Ausrichtung; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the file of a mesh contains its texture; remove this key</source>
+        <translation>die Datei eines Netzes enthält seine Textur; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a %1 does not have this key; use %2 instead</source>
+        <translation>die Form „%1“ hat diese Einstellung nicht; stattdessen %2 verwenden</translation>
+    </message>
+    <message>
+        <source>a %1 needs %2, in metres; add it</source>
+        <translation>die Form „%1“ erfordert die Einstellung %2, in Metern; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>a %1 has no axis; remove this key</source>
+        <translation>die Form „%1“ hat keine Achse; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the texture %1 cannot be applied to a body: it has no %2; give it one</source>
+        <translation>die Textur %1 kann nicht auf einen Körper aufgebracht werden, weil ihr die Einstellung %2 fehlt; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>the model %1 moves a tool exactly as the hand moves: set %2 to 1</source>
+        <translation>beim Kraftmodell %1 bewegt sich ein Werkzeug genau wie die Hand: %2 auf 1 setzen</translation>
+    </message>
+    <message>
+        <source>the model %1 needs two bodies: give the stimulus the object that is touched, one of the bodies, as %2</source>
+        <translation>das Kraftmodell %1 erfordert zwei Körper: beim Reiz den berührten Gegenstand, einen der Körper, als %2 angeben</translation>
+    </message>
+    <message>
+        <source>the model %1 needs two bodies: give the stimulus the object that the hand holds, one of the bodies, as %2</source>
+        <translation>das Kraftmodell %1 erfordert zwei Körper: beim Reiz den in der Hand gehaltenen Gegenstand, einen der Körper, als %2 angeben</translation>
+    </message>
+    <message>
+        <source>the model %1 touches a surface with a point; remove this key</source>
+        <translation>das Kraftmodell %1 berührt eine Oberfläche mit einem Punkt; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the scene cannot show the texture that the model %1 renders on a body; set %2 to %3 or %4</source>
+        <translation>die Szene kann die Textur nicht zeigen, die das Kraftmodell %1 auf einem Körper wiedergibt; %2 auf %3 oder %4 setzen</translation>
+    </message>
+    <message>
+        <source>; as %1 the limits are %2 and %3</source>
+        <translation>; als %1 angegeben sind die Grenzen %2 und %3</translation>
+    </message>
+    <message>
+        <source>the model %1: %2</source>
+        <translation>Kraftmodell %1: %2</translation>
+    </message>
+    <message>
+        <source>no other surface of the block has the role %1; state the role of the surface to which levels refer</source>
+        <translation>keine andere Oberfläche des Blocks hat die Rolle %1; die Rolle der Oberfläche angeben, auf die sich die Stufen beziehen</translation>
+    </message>
+    <message>
+        <source>%1 needs a standard; add %2 with the role of the surface to which the levels refer</source>
+        <translation>die Einstellung %1 erfordert einen Standardreiz; %2 mit der Rolle der Oberfläche ergänzen, auf die sich die Stufen beziehen</translation>
+    </message>
+    <message>
+        <source>the stimulus of the %1 does not state a number for %2, to which the levels refer; state it there</source>
+        <translation>der Reiz mit der Rolle „%1“ gibt keine Zahl für %2 an, auf die sich die Stufen beziehen; sie dort angeben</translation>
+    </message>
+    <message>
+        <source>the standard is %1, and %2 needs a standard above 0; use %3 or %4</source>
+        <translation>der Standardreiz hat den Wert %1, und die Einstellung %2 erfordert einen Standardreiz mit einem Wert über 0; %3 oder %4 verwenden</translation>
+    </message>
+    <message>
+        <source>the grid has %1 levels, and every level is checked before a session; use a larger step or a narrower range</source>
+        <translation>das Raster hat %1 Stufen, und jede Stufe wird vor einer Sitzung geprüft; einen größeren Schritt oder einen engeren Bereich verwenden</translation>
+    </message>
+    <message>
+        <source>a level is stated twice; state each level once</source>
+        <translation>eine Stufe ist zweimal angegeben; jede Stufe nur einmal angeben</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 binds this parameter to the factor %2; state a number there, or present another stimulus</source>
+        <translation>der Reiz %1 bindet diesen Parameter an den Faktor %2; dort eine Zahl angeben oder einen anderen Reiz darbieten</translation>
+    </message>
+    <message>
+        <source>%1 of the stimulus %2 determines this parameter; remove it there, or vary another parameter</source>
+        <translation>die Einstellung %1 des Reizes %2 bestimmt diesen Parameter; sie dort entfernen oder einen anderen Parameter variieren</translation>
+    </message>
+    <message>
+        <source>the level %1 is a value of %2: %3%4</source>
+        <translation>die Stufe %1 entspricht dem Wert %2: %3%4</translation>
+    </message>
+    <message>
+        <source>the block %1 varies the parameter %2 under the name %3; state another name as %4 in one of them</source>
+        <translation>der Block %1 variiert den Parameter %2 unter dem Namen %3; in einem der beiden Blöcke einen anderen Namen als %4 angeben</translation>
+    </message>
+    <message>
+        <source>%1 surfaces of the block have the role %2; state the role of exactly one: %3</source>
+        <translation>%1 Oberflächen des Blocks haben die Rolle %2; die Rolle von genau einer angeben: %3</translation>
+    </message>
+    <message>
+        <source>a drift check sends zero force to the device; remove this key, or %1</source>
+        <translation>eine Prüfung der Drift sendet dem Gerät die Kraft null; diese Einstellung oder %1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 needs a %2 that states the duration of the break, such as &quot;pause&quot;: {&quot;minimum_s&quot;: 60, &quot;text&quot;: &quot;Please rest your hand.&quot;}</source>
+        <translation>die Einstellung %1 erfordert die Einstellung %2 mit der Dauer der Pause, zum Beispiel &quot;pause&quot;: {&quot;minimum_s&quot;: 60, &quot;text&quot;: &quot;Bitte ruhen Sie Ihre Hand aus.&quot;}</translation>
+    </message>
+    <message>
+        <source>the time of this pause is not stated: add %1</source>
+        <translation>der Zeitpunkt dieser Pause ist nicht angegeben: %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>the block %1 is never run; add {&quot;run&quot;: &quot;%2&quot;} to the flow, or remove the block</source>
+        <translation>der Block %1 läuft nie ab; {&quot;run&quot;: &quot;%2&quot;} im Ablauf ergänzen oder den Block entfernen</translation>
+    </message>
+    <message>
+        <source>no block has the phase %1, so that nothing can be practised again; remove this key, or add such a block</source>
+        <translation>kein Block hat die Phase %1, daher kann nichts erneut geübt werden; diese Einstellung entfernen oder einen solchen Block ergänzen</translation>
+    </message>
+    <message>
+        <source>there is nothing to counterbalance: no step of the flow has a %1; add one, or remove this key</source>
+        <translation>es gibt nichts auszubalancieren: Kein Schritt des Ablaufs hat die Einstellung %1; %1 ergänzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a factor of %1 has at most %2 levels; remove some, or cross the factor in the block</source>
+        <translation>ein Faktor unter %1 hat höchstens %2 Stufen; einige entfernen oder den Faktor im Block kreuzen</translation>
+    </message>
+    <message>
+        <source>%1 is not a level of the factor %2; use %3</source>
+        <translation>%1 ist keine Stufe des Faktors %2; möglich: %3</translation>
+    </message>
+    <message>
+        <source>up to here the session has more than %1 trials, too many for a participant; reduce the number of blocks or of repetitions</source>
+        <translation>bis hierher hat die Sitzung mehr als %1 Durchgänge, zu viele für eine Versuchsperson; weniger Blöcke oder Wiederholungen angeben</translation>
+    </message>
+    <message>
+        <source>there would be more orders than participants; use %1 with fewer factors</source>
+        <translation>es gäbe mehr Reihenfolgen als Versuchspersonen; %1 mit weniger Faktoren verwenden</translation>
+    </message>
+    <message>
+        <source>participants have no groups; add the key %1 to the protocol, or remove this key</source>
+        <translation>Versuchspersonen haben keine Gruppen; die Einstellung %1 im Protokoll ergänzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the factor of the groups must have 2 to %1 levels, one per group; add or remove levels</source>
+        <translation>der Faktor der Gruppen muss 2 bis %1 Stufen haben, eine je Gruppe; Stufen ergänzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>permuted blocks are a random sequence: state its %1, a whole number</source>
+        <translation>permutierte Blöcke sind eine Zufallsfolge: %1, eine ganze Zahl, angeben</translation>
+    </message>
+    <message>
+        <source>a block of %1 participants does not contain the %2 groups equally often; use a multiple of %2</source>
+        <translation>ein Block von %1 Versuchspersonen enthält die %2 Gruppen nicht gleich oft; ein Vielfaches von %2 verwenden</translation>
+    </message>
+    <message>
+        <source>%1 is the factor of the groups, and the group of the participant sets its level; use another factor here, or remove the key %2</source>
+        <translation>%1 ist der Faktor der Gruppen, und die Gruppe der Versuchsperson legt seine Stufe fest; hier einen anderen Faktor verwenden oder die Einstellung %2 entfernen</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>the method %1 estimates a threshold of correct responses, but with the judgement %2 no response is correct; use %3: %4, %5 or %6</source>
+        <translation>die Methode %1 schätzt eine Schwelle richtiger Antworten, aber mit dem Urteil %2 ist keine Antwort richtig; %3 auf %4 setzen oder die Methode %5 oder %6 verwenden</translation>
+    </message>
+    <message>
+        <source>the method %1 needs levels that are proportional to the difference from the standard; state them as %2 or %3</source>
+        <translation>die Methode %1 erfordert Stufen, die proportional zur Differenz zum Standardreiz sind; sie als %2 oder %3 angeben</translation>
+    </message>
+    <message>
+        <source>; use %1, or remove %2 from the question</source>
+        <translation>; %1 verwenden oder %2 bei der Frage entfernen</translation>
+    </message>
+    <message>
+        <source>the method %1 counts correct responses in succession, among which the response &quot;cannot tell&quot; cannot be counted%2</source>
+        <translation>die Methode %1 zählt aufeinanderfolgende richtige Antworten, zu denen die Antwort „kann es nicht sagen“ nicht gezählt werden kann%2</translation>
+    </message>
+    <message>
+        <source>a program that states levels receives correct and incorrect responses only%1</source>
+        <translation>ein Programm, das die Stufen angibt, erhält nur richtige und falsche Antworten%1</translation>
+    </message>
+    <message>
+        <source>the step after the response &quot;cannot tell&quot; is the mean step of a guess, which is defined where one response is correct; use %1, or the method %2</source>
+        <translation>der Schritt nach der Antwort „kann es nicht sagen“ ist der mittlere Schritt beim Raten, der nur definiert ist, wenn eine Antwort richtig ist; %1 oder die Methode %2 verwenden</translation>
+    </message>
+    <message>
+        <source>catch trials of this type present two standards, and those of %1 three surfaces; use %2</source>
+        <translation>Kontrolldurchgänge dieses Typs bieten zwei Standardreize dar, Durchgänge dieses Designs (%1) aber drei Oberflächen; %2 verwenden</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 there is no signal to be found; set it to %2</source>
+        <translation>mit dem Urteil %1 ist kein Signal zu finden; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 the comparison has to be found, and a trial without it has no signal; set it to %2</source>
+        <translation>mit dem Urteil %1 ist der Vergleichsreiz zu finden, und ein Durchgang ohne ihn hat kein Signal; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>of two standards neither is the correct response, so that errors need the response &quot;cannot tell&quot;; add %1: true to the question, or use the type %2</source>
+        <translation>von zwei Standardreizen ist keiner die richtige Antwort, sodass Fehler die Antwort „kann es nicht sagen“ voraussetzen; %1: true bei der Frage ergänzen oder den Typ %2 verwenden</translation>
+    </message>
+    <message>
+        <source>a catch trial of the type %1 has a level; add %2, or state another %3</source>
+        <translation>ein Kontrolldurchgang des Typs %1 hat eine Stufe; %2 ergänzen oder unter %3 einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>a catch trial must be easy: its level must be at least as far from the standard as the farthest level of the block, on the same side, but the level is %1; use %2</source>
+        <translation>ein Kontrolldurchgang muss leicht sein: Seine Stufe muss auf derselben Seite mindestens so weit vom Standardreiz entfernt sein wie die am weitesten entfernte Stufe des Blocks, ist aber %1; %2 angeben</translation>
+    </message>
+    <message>
+        <source>a catch trial must be easy: its level must be at least as far from the standard as the farthest level of the block, but the level is %1; use %2</source>
+        <translation>ein Kontrolldurchgang muss leicht sein: Seine Stufe muss mindestens so weit vom Standardreiz entfernt sein wie die am weitesten entfernte Stufe des Blocks, ist aber %1; %2 angeben</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 the correct response in a catch trial is known only if the question states %2: %3 or %4 of the varied parameter; add it to the question</source>
+        <translation>mit dem Urteil %1 ist die richtige Antwort in einem Kontrolldurchgang nur bekannt, wenn die Frage unter %2 angibt, ob nach dem höheren (%3) oder dem niedrigeren Wert (%4) des variierten Parameters gefragt wird; dies bei der Frage ergänzen</translation>
+    </message>
+    <message>
+        <source>no start is stated; add %1, the level of the first trial, well above the expected threshold</source>
+        <translation>es ist keine Startstufe angegeben; %1 ergänzen, die Stufe des ersten Durchgangs, deutlich über der erwarteten Schwelle</translation>
+    </message>
+    <message>
+        <source>the tracks of this block have at most %1 trial, so that a session may have no catch trial; allow more trials in the tracks</source>
+        <translation>die Folgen (Tracks) dieses Blocks haben höchstens %1 Durchgang, sodass eine Sitzung ohne Kontrolldurchgang bleiben kann; mehr Durchgänge je Folge zulassen</translation>
+    </message>
+    <message>
+        <source>the tracks of this block have at most %1 trials, so that a session may have no catch trial; state that number or less</source>
+        <translation>die Folgen (Tracks) dieses Blocks haben höchstens %1 Durchgänge, sodass eine Sitzung ohne Kontrolldurchgang bleiben kann; höchstens diese Zahl angeben</translation>
+    </message>
+    <message>
+        <source>this block can have %1 trials, more than %2, too many for a participant; reduce the maximum number of trials of a track, the tracks or the levels of the other factors</source>
+        <translation>dieser Block kann %1 Durchgänge haben, mehr als %2, zu viele für eine Versuchsperson; die Höchstzahl der Durchgänge einer Folge (Track), die Folgen oder die Stufen der anderen Faktoren verringern</translation>
+    </message>
+    <message>
+        <source>the procedure of a block determines its trials; remove this key</source>
+        <translation>das Verfahren eines Blocks bestimmt seine Durchgänge; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the block %1 has a procedure, which needs the response to a trial before the next one; use %2 or %3</source>
+        <translation>der Block %1 hat ein Verfahren, das die Antwort auf einen Durchgang vor dem nächsten erfordert; %2 oder %3 verwenden</translation>
+    </message>
+    <message>
+        <source>the method %1 needs levels in equal steps; state the levels as a grid: {&quot;lowest&quot;: …, &quot;highest&quot;: …, &quot;step&quot;: …}</source>
+        <translation>die Methode %1 erfordert Stufen in gleichen Schritten; die Stufen als Raster angeben: {&quot;lowest&quot;: …, &quot;highest&quot;: …, &quot;step&quot;: …}</translation>
+    </message>
+    <message>
+        <source>the method %1 presents a lower level after correct responses, but below the standard lower levels are easier; state levels above the standard, or use %2</source>
+        <translation>die Methode %1 bietet nach richtigen Antworten eine niedrigere Stufe dar, aber unterhalb des Standardreizes sind niedrigere Stufen leichter; Stufen oberhalb des Standardreizes angeben oder %2 verwenden</translation>
+    </message>
+    <message>
+        <source>one question answered by an assignment</source>
+        <translation>eine Frage, die durch eine Zuordnung beantwortet wird</translation>
+    </message>
+    <message>
+        <source>one question answered by a number</source>
+        <translation>eine Frage, die durch eine Zahl beantwortet wird</translation>
+    </message>
+    <message>
+        <source>one question answered by a scale</source>
+        <translation>eine Frage, die auf einer Skala beantwortet wird</translation>
+    </message>
+    <message>
+        <source>one question answered by a choice</source>
+        <translation>eine Frage, die durch eine Auswahl beantwortet wird</translation>
+    </message>
+    <message>
+        <source>a block needs the key %1, or %2 for several questions in a trial</source>
+        <translation>ein Block erfordert die Einstellung %1 oder, bei mehreren Fragen in einem Durchgang, %2</translation>
+    </message>
+    <message>
+        <source>questions on one page must be scales without labels between the ends; set %1 to %2</source>
+        <translation>Fragen auf einer Seite müssen Skalen ohne Beschriftungen zwischen den Enden sein; %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>the texture %1 has no %2 to show; give it one</source>
+        <translation>die Textur %1 kann nicht gezeigt werden, weil ihr die Einstellung %2 fehlt; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>the picture of %1 is listed twice; list it once</source>
+        <translation>das Bild von %1 ist zweimal aufgeführt; es nur einmal aufführen</translation>
+    </message>
+    <message>
+        <source>options are either pictures or words; keep one of the two keys</source>
+        <translation>Antwortmöglichkeiten sind entweder Bilder oder Worte; nur eine der beiden Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>a participant who may return to a surface feels it with the pictures in view; set %1 to false, or in an arrangement a maximum of visits equal to the minimum</source>
+        <translation>eine Versuchsperson, die zu einer Oberfläche zurückkehren darf, fühlt sie mit sichtbaren Bildern; %1 auf false oder in einer Anordnung die Höchstzahl der Besuche auf ihre Mindestzahl setzen</translation>
+    </message>
+    <message>
+        <source>the block %1 has the question %2 answered by %3, and responses to both would be exported as one variable; give one of the questions another name</source>
+        <translation>im Block %1 wird die Frage %2 durch %3 beantwortet, und die Antworten auf beide Fragen würden als eine Variable exportiert; einer der Fragen einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>the block %1 has the question %2 on another scale, and the responses to both are analysed together; give one of the questions another name, or use one scale for both</source>
+        <translation>im Block %1 hat die Frage %2 eine andere Skala, und die Antworten auf beide Fragen werden gemeinsam ausgewertet; einer der Fragen einen anderen Namen geben oder für beide dieselbe Skala verwenden</translation>
+    </message>
+    <message>
+        <source>this scale can rate the confidence of the response to %1; write this name</source>
+        <translation>diese Skala kann die Sicherheit der Antwort auf %1 beurteilen; diesen Namen angeben</translation>
+    </message>
+    <message>
+        <source>the confidence of a response is rated after it; list this question after %1</source>
+        <translation>die Sicherheit einer Antwort wird nach der Antwort beurteilt; diese Frage nach %1 aufführen</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 no response is correct, so that there is no ROC; remove this key</source>
+        <translation>mit dem Urteil %1 ist keine Antwort richtig, sodass es keine ROC gibt; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the lowest category of confidence states already that a participant cannot tell, and an ROC needs a choice in every trial; remove this key, or %1 of the question %2</source>
+        <translation>die niedrigste Kategorie der Sicherheit gibt bereits an, dass eine Versuchsperson es nicht sagen kann, und eine ROC erfordert in jedem Durchgang eine Wahl; diese Einstellung oder %1 bei der Frage %2 entfernen</translation>
+    </message>
+    <message>
+        <source>the confidence in the response of %1 gives no ROC, because there are more than two responses; remove this key, and the scale is reported for correct and incorrect responses</source>
+        <translation>die Sicherheit der Antwort ergibt bei diesem Design (%1) keine ROC, weil es mehr als zwei Antworten gibt; diese Einstellung entfernen, dann wird die Skala für richtige und falsche Antworten berichtet</translation>
+    </message>
+    <message>
+        <source>an ROC needs trials at levels that do not depend on the responses; remove this key, or use %1</source>
+        <translation>eine ROC erfordert Durchgänge mit Stufen, die nicht von den Antworten abhängen; diese Einstellung entfernen oder %1 verwenden</translation>
+    </message>
+    <message>
+        <source>a rating of confidence needs a %1 with 2 to 10 %2, the categories of its ROC; state them</source>
+        <translation>ein Sicherheitsurteil erfordert die Einstellung %1 und darin unter %2 eine Zahl von 2 bis 10, die Anzahl der Kategorien seiner ROC; beides angeben</translation>
+    </message>
+    <message>
+        <source>the question %1 rates the same confidence; remove one of the two keys</source>
+        <translation>die Frage %1 beurteilt dieselbe Sicherheit; eine der beiden Einstellungen entfernen</translation>
+    </message>
+    <message>
+        <source>the analysis of a %1 needs the response to this question in every trial; remove this key</source>
+        <translation>die Auswertung eines Experiments der Art „%1“ erfordert die Antwort auf diese Frage in jedem Durchgang; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>an ROC needs the rating of confidence in every trial; remove this key</source>
+        <translation>eine ROC erfordert das Sicherheitsurteil in jedem Durchgang; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the questions of one page are shown together, so that the answer is not known before; remove this key, or set %1 to %2</source>
+        <translation>die Fragen einer Seite werden zusammen gezeigt, sodass die Antwort vorher nicht bekannt ist; diese Einstellung entfernen oder %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>the questions are asked in an order that is drawn, so that the answer is not known before; remove this key, or set %1 to %2</source>
+        <translation>die Fragen werden in ausgeloster Reihenfolge gestellt, sodass die Antwort vorher nicht bekannt ist; diese Einstellung entfernen oder %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>no earlier question of the trial has the name %1; name one that is listed before this question</source>
+        <translation>keine frühere Frage des Durchgangs hat den Namen %1; eine Frage nennen, die vor dieser aufgeführt ist</translation>
+    </message>
+    <message>
+        <source>two questions of a trial have the name %1, under which their responses are stored; give each its own name</source>
+        <translation>zwei Fragen eines Durchgangs haben den Namen %1, unter dem ihre Antworten gespeichert werden; jeder einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>a %1 needs %2; remove this key</source>
+        <translation>ein Experiment der Art „%1“ erfordert %2; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a question that states its form is additional, and a %1 needs %2; remove this key from the question that the analysis is about</source>
+        <translation>eine Frage, die ihre Form angibt, ist eine zusätzliche, und ein Experiment der Art „%1“ erfordert %2; diese Einstellung bei der Frage entfernen, um die es in der Auswertung geht</translation>
+    </message>
+    <message>
+        <source>a %1 needs %2 in every trial; number given: %3; add or remove questions</source>
+        <translation>ein Experiment der Art „%1“ erfordert in jedem Durchgang %2; angegebene Anzahl: %3; Fragen ergänzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>feedback needs a correct response, and no response of a %1 is correct or incorrect; set it to %2</source>
+        <translation>eine Rückmeldung erfordert eine richtige Antwort, und bei einem Experiment der Art „%1“ ist keine Antwort richtig oder falsch; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>the maximum of the scale, %1, must be greater than its minimum, %2; raise %3</source>
+        <translation>das Maximum der Skala, %1, muss größer als ihr Minimum, %2, sein; %3 erhöhen</translation>
+    </message>
+    <message>
+        <source>a scale has labels for its two ends or for all of its points; labels given: %1, points: %2; add or remove labels</source>
+        <translation>eine Skala hat Beschriftungen für ihre beiden Enden oder für alle ihre Punkte; angegebene Beschriftungen: %1, Punkte: %2; Beschriftungen ergänzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>the question %1 has a condition, and the questions about the participant are asked together, before the session; ask it in the flow, with {&quot;ask&quot;: [%1]}</source>
+        <translation>die Frage %1 hat eine Bedingung, aber die Fragen zur Versuchsperson werden gemeinsam vor der Sitzung gestellt; sie im Ablauf stellen, mit {&quot;ask&quot;: [%1]}</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, and a question about the participant by one option, a number or a text; ask it in the flow, with {&quot;ask&quot;: [%1]}</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, eine Frage zur Versuchsperson aber durch eine Antwortmöglichkeit, eine Zahl oder einen Text; sie im Ablauf stellen, mit {&quot;ask&quot;: [%1]}</translation>
+    </message>
+    <message>
+        <source>the flow does not ask the question %1 before; ask it in an earlier step of the flow, or earlier in the same one</source>
+        <translation>im Ablauf wird die Frage %1 vorher nicht gestellt; sie in einem früheren Schritt des Ablaufs oder früher in demselben stellen</translation>
+    </message>
+    <message>
+        <source>%1 is not an option of the question %2; state the options of that question</source>
+        <translation>%1 ist keine Antwortmöglichkeit der Frage %2; die Antwortmöglichkeiten jener Frage angeben</translation>
+    </message>
+    <message>
+        <source>%1 is not an option of the question %2; use %3</source>
+        <translation>%1 ist keine Antwortmöglichkeit der Frage %2; %3 verwenden</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>%1 angeben</translation>
+    </message>
+    <message>
+        <source>state %1 or %2</source>
+        <translation>%1 oder %2 angeben</translation>
+    </message>
+    <message>
+        <source>refer to another question</source>
+        <translation>auf eine andere Frage Bezug nehmen</translation>
+    </message>
+    <message>
+        <source>several options of the question %1 may be chosen; state %2 with one of them</source>
+        <translation>bei der Frage %1 können mehrere Antwortmöglichkeiten gewählt werden; eine davon unter %2 angeben</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, which no condition can refer to; refer to another question</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, worauf sich keine Bedingung beziehen kann; auf eine andere Frage Bezug nehmen</translation>
+    </message>
+    <message>
+        <source>%1 is not a number, and the question %2 is answered by %3; state a number</source>
+        <translation>%1 ist keine Zahl, und die Frage %2 wird durch %3 beantwortet; eine Zahl angeben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be the answer to the question %2; use a number of %3</source>
+        <translation>%1 kann nicht die Antwort auf die Frage %2 sein; zulässig: %3</translation>
+    </message>
+    <message>
+        <source>%1 is not a point of the scale of the question %2; the points are %3 apart, from %4 to %5</source>
+        <translation>%1 ist kein Punkt der Skala der Frage %2; die Punkte liegen von %4 bis %5 im Abstand von %3</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, and only a multiple choice includes options; %3</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, und nur eine Mehrfachauswahl kann Antwortmöglichkeiten enthalten; %3</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, and only a number or a scale has a range; %3</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, und nur eine Zahl oder eine Skala hat einen Bereich; %3</translation>
+    </message>
+    <message>
+        <source>no number is at least %1 and at most %2; exchange the two</source>
+        <translation>keine Zahl ist mindestens %1 und höchstens %2; die beiden vertauschen</translation>
+    </message>
+    <message>
+        <source>the answer to the question %1 is %2 and never %3; change the range</source>
+        <translation>die Antwort auf die Frage %1 ist %2 und nie %3; den Bereich ändern</translation>
+    </message>
+    <message>
+        <source>a multiple choice needs %1; add this key</source>
+        <translation>eine Mehrfachauswahl erfordert die Einstellung %1; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>a choice needs %1; add this key</source>
+        <translation>eine Auswahl erfordert die Einstellung %1; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>a scale needs the key %1, such as &quot;scale&quot;: {&quot;minimum&quot;: 1, &quot;maximum&quot;: 7, &quot;points&quot;: 7}; add this key</source>
+        <translation>eine Skala erfordert die Einstellung %1, zum Beispiel &quot;scale&quot;: {&quot;minimum&quot;: 1, &quot;maximum&quot;: 7, &quot;points&quot;: 7}; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>no number is at least %1 and at most %2; lower the minimum or raise the maximum</source>
+        <translation>keine Zahl ist mindestens %1 und höchstens %2; das Minimum verringern oder das Maximum erhöhen</translation>
+    </message>
+    <message>
+        <source>%1 is listed twice; list it once</source>
+        <translation>%1 ist zweimal aufgeführt; den Eintrag nur einmal aufführen</translation>
+    </message>
+    <message>
+        <source>%1 is shown for two options; give each its own text</source>
+        <translation>%1 wird für zwei Antwortmöglichkeiten gezeigt; jeder einen eigenen Text geben</translation>
+    </message>
+    <message>
+        <source>%1 is shown for %2 and stored for another option: give them different words</source>
+        <translation>%1 wird für %2 gezeigt und für eine andere Antwortmöglichkeit gespeichert: verschiedene Worte verwenden</translation>
+    </message>
+    <message>
+        <source>a condition states one of %1, %2, %3, or a range with %4, %5 or both; keep one of them</source>
+        <translation>eine Bedingung gibt eines von %1, %2 und %3 an oder einen Bereich mit %4, %5 oder beiden; nur eine dieser Angaben behalten</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 with the model %2</source>
+        <translation>der Reiz %1 mit dem Kraftmodell %2</translation>
+    </message>
+    <message>
+        <source>the stimulus %1 with the model %2 and the texture %3</source>
+        <translation>der Reiz %1 mit dem Kraftmodell %2 und der Textur %3</translation>
+    </message>
+    <message>
+        <source>the model %1 of the stimulus %2 has no amplitude; exclude it from the block, or use a model that has one</source>
+        <translation>das Kraftmodell %1 des Reizes %2 hat keine Amplitude; es im Block auslassen oder ein Kraftmodell mit Amplitude verwenden</translation>
+    </message>
+    <message>
+        <source>a relative amplitude is above 0, but the lowest level is %1; raise it, or state %2</source>
+        <translation>eine relative Amplitude ist größer als 0, aber die niedrigste Stufe ist %1; sie erhöhen oder %2 angeben</translation>
+    </message>
+    <message>
+        <source>this block varies the relative amplitude, which equal roughness would determine; remove one of the two keys</source>
+        <translation>dieser Block variiert die relative Amplitude, die durch gleiche Rauheit bestimmt würde; eine der beiden Einstellungen entfernen</translation>
+    </message>
+    <message>
+        <source>roughness is matched where both surfaces are judged rougher equally often, which the judgement %1 does not estimate; use %2</source>
+        <translation>die Rauheit ist angeglichen, wo beide Oberflächen gleich oft als rauer beurteilt werden, was das Urteil %1 nicht schätzt; %2 verwenden</translation>
+    </message>
+    <message>
+        <source>the block %1 needs the amplitudes of equal roughness from this block: state a procedure %2 with %3: 1, %4: 1 and equal steps</source>
+        <translation>der Block %1 erfordert die Amplituden gleicher Rauheit aus diesem Block: ein Verfahren %2 mit %3: 1, %4: 1 und gleichen Schritten angeben</translation>
+    </message>
+    <message>
+        <source>a track matches one stimulus, but the factor %1 is drawn for every trial; cross it instead</source>
+        <translation>eine Folge (Track) gleicht einen Reiz an, aber der Faktor %1 wird für jeden Durchgang ausgelost; ihn stattdessen kreuzen</translation>
+    </message>
+    <message>
+        <source>the block %1 would match the same stimuli twice; run it once</source>
+        <translation>der Block %1 würde dieselben Reize zweimal angleichen; ihn nur einmal ablaufen lassen</translation>
+    </message>
+    <message>
+        <source>the block %1 matches all stimuli in one run; cross the factor %2 in the block instead</source>
+        <translation>der Block %1 gleicht alle Reize in einem Lauf an; stattdessen den Faktor %2 im Block kreuzen</translation>
+    </message>
+    <message>
+        <source>the block %1 presents surfaces of equal roughness, but the block %2, which matches them, has not been run; run it before</source>
+        <translation>der Block %1 bietet Oberflächen gleicher Rauheit dar, aber der Block %2, der sie angleicht, läuft nicht vorher ab; ihn vorher ablaufen lassen</translation>
+    </message>
+    <message>
+        <source>%1 would be matched several times, with different parameters; a match belongs to a stimulus, a model and a texture: define a stimulus for each of them, with a separate block that matches it and a separate block that presents it</source>
+        <translation>%1 würde mehrmals angeglichen, mit verschiedenen Parametern; eine Angleichung gehört zu einem Reiz, einem Kraftmodell und einer Textur: für jede einen Reiz festlegen, mit einem eigenen Block, der ihn angleicht, und einem eigenen Block, der ihn darbietet</translation>
+    </message>
+    <message>
+        <source>%1 is neither matched in the block %2 nor its reference; present the same stimulus there, with the same parameters, material and %3</source>
+        <translation>%1 wird im Block %2 nicht angeglichen und ist dort auch nicht die Referenz; dort denselben Reiz darbieten, mit gleichen Parametern, gleichem Material und gleicher Einstellung %3</translation>
+    </message>
+    <message>
+        <source>%1 trial</source>
+        <translation>%1 Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>the block neither crosses, lists nor varies the factor %1; cross or list it, or remove this key</source>
+        <translation>der Faktor %1 wird im Block weder gekreuzt noch aufgeführt noch variiert; ihn kreuzen oder aufführen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the factor %1 is declared with levels and cannot be computed; use another name, or remove it from %2</source>
+        <translation>der Faktor %1 hat festgelegte Stufen und kann nicht berechnet werden; einen anderen Namen verwenden oder ihn unter %2 entfernen</translation>
+    </message>
+    <message>
+        <source>the formula cannot be read: %1; correct it</source>
+        <translation>die Formel ist nicht lesbar: %1; sie berichtigen</translation>
+    </message>
+    <message>
+        <source>%1 is itself computed; write its formula here instead</source>
+        <translation>%1 wird selbst berechnet; stattdessen hier dessen Formel angeben</translation>
+    </message>
+    <message>
+        <source>the block neither crosses, lists nor varies the factor %1; cross or list it, or use another factor in the formula</source>
+        <translation>der Faktor %1 wird im Block weder gekreuzt noch aufgeführt noch variiert; ihn kreuzen oder aufführen oder in der Formel einen anderen Faktor verwenden</translation>
+    </message>
+    <message>
+        <source>the levels of the factor %1 are names, and a formula needs numbers; use a factor with numbers</source>
+        <translation>die Stufen des Faktors %1 sind Namen, eine Formel erfordert aber Zahlen; einen Faktor mit Zahlen verwenden</translation>
+    </message>
+    <message>
+        <source>the formula has no finite value for %1; exclude this combination, or change the formula or a level</source>
+        <translation>die Formel hat für %1 keinen endlichen Wert; diese Kombination auslassen oder die Formel oder eine Stufe ändern</translation>
+    </message>
+    <message>
+        <source>with unequal repetitions the repetitions do not have the same trials; use %1, or remove %2</source>
+        <translation>bei ungleichen Anzahlen haben die Wiederholungen nicht dieselben Durchgänge; %1 verwenden oder %2 entfernen</translation>
+    </message>
+    <message>
+        <source>the combination %1 already has repetitions by an earlier entry; make the entries exclude each other</source>
+        <translation>die Kombination %1 hat bereits Wiederholungen durch einen früheren Eintrag; die Einträge so ändern, dass sie einander ausschließen</translation>
+    </message>
+    <message>
+        <source>no combination has %1; remove this entry</source>
+        <translation>keine Kombination hat %1; diesen Eintrag entfernen</translation>
+    </message>
+    <message>
+        <source>the level %1 has %2, which at a distance of %3 need %4 positions, but the block has %5; reduce the distance or the repetitions, or add other levels</source>
+        <translation>die Stufe %1 hat %2, was bei einem Abstand von %3 mindestens %4 Positionen erfordert, aber der Block hat %5; den Abstand oder die Wiederholungen verringern oder weitere Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>the block has %1; state a position from 1 to %2</source>
+        <translation>der Block hat %1; eine Position von 1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>the position %1 is already fixed by an earlier entry; remove one of them</source>
+        <translation>die Position %1 ist bereits durch einen früheren Eintrag festgelegt; einen der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>no trial has %1; correct the levels</source>
+        <translation>kein Durchgang hat %1; die Stufen berichtigen</translation>
+    </message>
+    <message>
+        <source>only %1 have %2, and more positions require them; remove entries, or raise the repetitions</source>
+        <translation>es gibt nur %1 mit %2, und mehr Positionen erfordern solche; Einträge entfernen oder die Wiederholungen erhöhen</translation>
+    </message>
+    <message>
+        <source>balanced positions need a multiple of %1 trials, the number of surfaces, but the block has %2; change the number of repetitions or of levels, or remove %3</source>
+        <translation>ausbalancierte Positionen erfordern ein Vielfaches von %1 Durchgängen, der Anzahl der Oberflächen, aber der Block hat %2; die Anzahl der Wiederholungen oder der Stufen ändern oder %3 entfernen</translation>
+    </message>
+    <message>
+        <source>the fixed order of this block violates %1; use %2 or write the rows in another order</source>
+        <translation>die feste Reihenfolge dieses Blocks verletzt die Einstellung %1; %2 verwenden oder die Zeilen in anderer Reihenfolge angeben</translation>
+    </message>
+    <message>
+        <source>no order of the block&apos;s %1 trials satisfies %2</source>
+        <translation>keine Reihenfolge der %1 Durchgänge des Blocks erfüllt die Einstellung %2</translation>
+    </message>
+    <message>
+        <source>no order of the block&apos;s %1 trials satisfies %2 together with the other constraints</source>
+        <translation>keine Reihenfolge der %1 Durchgänge des Blocks erfüllt die Einstellung %2 zusammen mit den anderen Bedingungen</translation>
+    </message>
+    <message>
+        <source>%1; allow more in a row, or add other levels</source>
+        <translation>%1; mehr Durchgänge nacheinander zulassen oder weitere Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>%1; reduce the distance, or add other levels</source>
+        <translation>%1; den Abstand verringern oder weitere Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>%1; free some of the positions, or relax the other constraints</source>
+        <translation>%1; einige Positionen freigeben oder die anderen Bedingungen lockern</translation>
+    </message>
+    <message>
+        <source>only combinations of crossed or varied levels are excluded; remove the trials from %1, or cross factors</source>
+        <translation>nur Kombinationen gekreuzter oder variierter Stufen können ausgelassen werden; die Durchgänge unter %1 entfernen oder Faktoren kreuzen</translation>
+    </message>
+    <message>
+        <source>all combinations are excluded; remove entries</source>
+        <translation>alle Kombinationen sind ausgelassen; Einträge entfernen</translation>
+    </message>
+    <message>
+        <source>%1 applies only to factors that the block crosses, lists or varies; cross or list this one, or remove this key</source>
+        <translation>die Einstellung %1 gilt nur für Faktoren, die der Block kreuzt, aufführt oder variiert; diesen Faktor kreuzen oder aufführen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a block with one trial has no middle; remove %1</source>
+        <translation>ein Block mit einem Durchgang hat keine Mitte; %1 entfernen</translation>
+    </message>
+    <message>
+        <source>this block has more than %1 trials, too many for a participant; reduce the number of repetitions or of levels</source>
+        <translation>dieser Block hat mehr als %1 Durchgänge, zu viele für eine Versuchsperson; die Anzahl der Wiederholungen oder der Stufen verringern</translation>
+    </message>
+    <message>
+        <source>up to %1 trials may be needed, but the block has %2; with %3 per repetition, set %4 to %5</source>
+        <translation>bis zu %1 Durchgänge können nötig sein, aber der Block hat %2; bei %3 je Wiederholung %4 auf %5 setzen</translation>
+    </message>
+    <message>
+        <source>a blindfolded participant sees no scene; remove it, or choose another %1</source>
+        <translation>eine Versuchsperson mit Augenbinde sieht keine Szene; sie entfernen oder die Einstellung %1 ändern</translation>
+    </message>
+    <message>
+        <source>a blindfolded participant sees no photograph while feeling; measure against %1 or %2, or choose another %3</source>
+        <translation>eine Versuchsperson mit Augenbinde sieht beim Fühlen kein Foto; als Maßstab %1 oder %2 wählen oder die Einstellung %3 ändern</translation>
+    </message>
+    <message>
+        <source>a blindfolded participant sees no pictures while feeling; set %1 to true (the eye mask is removed for the question), or choose another %2</source>
+        <translation>eine Versuchsperson mit Augenbinde sieht beim Fühlen keine Bilder; die Einstellung %1 auf true setzen (für die Frage wird die Augenbinde abgenommen) oder die Einstellung %2 ändern</translation>
+    </message>
+    <message>
+        <source>masking noise needs a level; add the key %1</source>
+        <translation>das Maskierrauschen erfordert einen Pegel; die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>%1; use %2 to %3, %4 to %5, %6</source>
+        <translation>%1; möglich: %2 bis %3, %4 bis %5, %6</translation>
+    </message>
+    <message>
+        <source>there is no cue %1</source>
+        <translation>es gibt kein Signal %1</translation>
+    </message>
+    <message>
+        <source>a HED tag cannot contain line breaks</source>
+        <translation>ein HED-Tag darf keine Zeilenumbrüche enthalten</translation>
+    </message>
+    <message>
+        <source>a HED tag cannot contain %1</source>
+        <translation>ein HED-Tag darf %1 nicht enthalten</translation>
+    </message>
+    <message>
+        <source>a HED tag is missing before %1</source>
+        <translation>vor %1 fehlt ein HED-Tag</translation>
+    </message>
+    <message>
+        <source>a closing parenthesis has no opening one</source>
+        <translation>zu einer schließenden Klammer fehlt die öffnende</translation>
+    </message>
+    <message>
+        <source>an opening parenthesis has no closing one</source>
+        <translation>zu einer öffnenden Klammer fehlt die schließende</translation>
+    </message>
+    <message>
+        <source>a HED tag is missing at the end</source>
+        <translation>am Ende fehlt ein HED-Tag</translation>
+    </message>
+    <message>
+        <source>%1; separate HED tags by commas and group them by parentheses, such as %2</source>
+        <translation>%1; HED-Tags durch Kommas trennen und durch Klammern gruppieren, zum Beispiel %2</translation>
+    </message>
+    <message>
+        <source>a band must be ascending: minimum ≤ target ≤ maximum</source>
+        <translation>die Werte eines Sollbereichs müssen aufsteigen: Minimum ≤ Ziel ≤ Maximum</translation>
+    </message>
+    <message>
+        <source>a blindfolded participant sees neither bars nor a target; choose %1 or %2, or another %3</source>
+        <translation>eine Versuchsperson mit Augenbinde sieht weder Balken noch eine Marke; %1 oder %2 wählen oder die Einstellung %3 ändern</translation>
+    </message>
+    <message>
+        <source>there is no band to indicate: give %1 or %2 a minimum or a maximum</source>
+        <translation>es gibt keinen Sollbereich, der angezeigt werden könnte: bei %1 oder %2 ein Minimum oder ein Maximum angeben</translation>
+    </message>
+    <message>
+        <source>a moving target needs a speed and a length: give %1 and %2 a target above 0</source>
+        <translation>eine bewegte Marke erfordert eine Geschwindigkeit und eine Länge: bei %1 und bei %2 ein Ziel über 0 angeben</translation>
+    </message>
+    <message>
+        <source>a %1</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>only %1 has this key; remove it</source>
+        <translation>diese Einstellung gibt es nur bei der Art %1; sie entfernen</translation>
+    </message>
+    <message>
+        <source>only %1 has this key; remove it, or set %2 to %3</source>
+        <translation>diese Einstellung gibt es nur bei der Art %1; sie entfernen oder %2 auf %3 setzen</translation>
+    </message>
+    <message>
+        <source>edges of %1 m on both sides cover the whole patch of %2 m by %3 m; reduce %4 or enlarge the patch</source>
+        <translation>Ränder von %1 m auf beiden Seiten bedecken das ganze Feld von %2 m mal %3 m; %4 verringern oder das Feld vergrößern</translation>
+    </message>
+    <message>
+        <source>%1; name a file inside the study, such as %2</source>
+        <translation>%1; eine Datei in der Studie angeben, zum Beispiel %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a path relative to the study</source>
+        <translation>%1 ist kein Pfad relativ zur Studie</translation>
+    </message>
+    <message>
+        <source>%1 contains a backslash or a control character</source>
+        <translation>%1 enthält einen umgekehrten Schrägstrich oder ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>%1 points outside the study</source>
+        <translation>%1 liegt außerhalb der Studie</translation>
+    </message>
+    <message>
+        <source>%1 has an empty part</source>
+        <translation>%1 hat einen leeren Teil</translation>
+    </message>
+    <message>
+        <source>this texture can be neither felt nor seen: give it a %1, a %2 or both</source>
+        <translation>diese Textur kann weder gefühlt noch gesehen werden: bei ihr %1, %2 oder beides angeben</translation>
+    </message>
+    <message>
+        <source>the code %1 is also that of %2; give each texture its own code</source>
+        <translation>den Code %1 hat auch %2; jeder Textur einen eigenen Code geben</translation>
+    </message>
+    <message>
+        <source>the levels of a factor must be all numbers or all names; write this level in the form of the first one</source>
+        <translation>die Stufen eines Faktors sind entweder nur Zahlen oder nur Namen; diese Stufe in derselben Form wie die erste angeben</translation>
+    </message>
+    <message>
+        <source>a level cannot be empty; give it a name</source>
+        <translation>eine Stufe darf nicht leer sein; ihr einen Namen geben</translation>
+    </message>
+    <message>
+        <source>a stroke of %1 m does not fit into the patch of %2 m by %3 m; shorten the stroke or enlarge the patch%4</source>
+        <translation>ein Strich von %1 m passt nicht in das Feld von %2 m mal %3 m; den Strich verkürzen oder das Feld vergrößern%4</translation>
+    </message>
+    <message>
+        <source>at least %1 s of contact are requested, but the surface is removed after %2 s; lower %3 or raise %4</source>
+        <translation>mindestens %1 s Kontakt sind verlangt, aber die Oberfläche wird nach %2 s entfernt; %3 verringern oder %4 erhöhen</translation>
+    </message>
+    <message>
+        <source>there is no band to which the fraction could refer: give %1 or %2 a minimum or a maximum</source>
+        <translation>es gibt keinen Sollbereich, auf den sich der Anteil beziehen könnte: bei %1 oder %2 ein Minimum oder ein Maximum angeben</translation>
+    </message>
+    <message>
+        <source>trials are to be repeated, but at most 0 times: set %1 to 1 or more</source>
+        <translation>Durchgänge sollen wiederholt werden, aber höchstens 0-mal: die Einstellung %1 auf mindestens 1 setzen</translation>
+    </message>
+    <message>
+        <source>nothing is repeated while %1 is %2; choose %3 or %4</source>
+        <translation>solange die Einstellung %1 den Wert %2 hat, wird nichts wiederholt; %3 oder %4 wählen</translation>
+    </message>
+    <message>
+        <source>the model %1 needs the asset %2 (%3): give the stimulus a %4 that has it</source>
+        <translation>das Kraftmodell %1 erfordert die Datei %2 (%3): beim Reiz unter %4 eine Textur angeben, die sie hat</translation>
+    </message>
+    <message>
+        <source>the model %1 needs the asset %2 (%3), which the texture %4 does not have: add its file under %5</source>
+        <translation>das Kraftmodell %1 erfordert die Datei %2 (%3), die der Textur %4 fehlt: sie unter %5 ergänzen</translation>
+    </message>
+    <message>
+        <source>the band from %1 Hz to %2 Hz is empty; lower its lower limit or raise its upper limit</source>
+        <translation>das Frequenzband von %1 Hz bis %2 Hz ist leer; die untere Grenze verringern oder die obere erhöhen</translation>
+    </message>
+    <message>
+        <source>the band ends at %1 Hz, above half the servo rate of %2 Hz; lower its upper limit</source>
+        <translation>das Frequenzband endet bei %1 Hz, über der Hälfte der Rate der Servoschleife von %2 Hz; die obere Grenze verringern</translation>
+    </message>
+    <message>
+        <source>the model %1 cannot be the reference of equal force: its texture force depends on two bodies; state %2 instead</source>
+        <translation>das Kraftmodell %1 kann nicht die Referenz für gleiche Kraft sein: Seine Texturkraft hängt von zwei Körpern ab; stattdessen die Einstellung %2 angeben</translation>
+    </message>
+    <message>
+        <source>the texture force of the model %1, which depends on two bodies, cannot be made equal to another; remove %2, and state the strength as %3</source>
+        <translation>die Texturkraft des Kraftmodells %1 hängt von zwei Körpern ab und kann einer anderen nicht angeglichen werden; die Einstellung %2 entfernen und die Stärke unter %3 angeben</translation>
+    </message>
+    <message>
+        <source>the model %1 has no amplitude by which its texture force could be made equal; remove %2 or use another model</source>
+        <translation>das Kraftmodell %1 hat keine Amplitude, mit der seine Texturkraft angeglichen werden könnte; die Einstellung %2 entfernen oder ein anderes Kraftmodell verwenden</translation>
+    </message>
+    <message>
+        <source>the texture forces of the other models are made equal to that of %1 with this parameter at its default; remove this key</source>
+        <translation>die Texturkräfte der anderen Kraftmodelle werden der von %1 angeglichen, wobei dieser Parameter seine Vorgabe hat; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>%2 determines this parameter of %1; remove this key</source>
+        <translation>die Einstellung %2 bestimmt diesen Parameter von %1; ihn hier entfernen</translation>
+    </message>
+    <message>
+        <source>%1 is a number, but the factor is used as a name at %2; use names as its levels</source>
+        <translation>%1 ist eine Zahl, aber der Faktor wird bei %2 als Name verwendet; als Stufen Namen verwenden</translation>
+    </message>
+    <message>
+        <source>%1 If it is in a plug-in, load the plug-in with --plugin FILE, or under Study → Plug-ins… in the windows</source>
+        <translation>%1. Wenn es in einem Plug-in enthalten ist, das Plug-in unter „Studie → Plug-ins…“ laden, im Terminal mit --plugin DATEI</translation>
+    </message>
+    <message>
+        <source>%1; if it is in a plug-in, load the plug-in with --plugin FILE, or under Study → Plug-ins… in the windows</source>
+        <translation>%1; wenn es in einem Plug-in enthalten ist, das Plug-in unter „Studie → Plug-ins…“ laden, im Terminal mit --plugin DATEI</translation>
+    </message>
+    <message>
+        <source>the model needs a height field: give the stimulus a %1</source>
+        <translation>das Kraftmodell erfordert ein Höhenfeld: beim Reiz die Einstellung %1 angeben</translation>
+    </message>
+    <message>
+        <source>the height field of the texture %1 is on neither body: the surface has its own relief; put the texture on a body, or remove its %2</source>
+        <translation>das Höhenfeld der Textur %1 ist auf keinem der beiden Körper: Die Oberfläche hat ein eigenes Relief; die Textur auf einen Körper legen oder ihre Einstellung %2 entfernen</translation>
+    </message>
+    <message>
+        <source>the texture %1 cannot be felt: it has no %2; give it one</source>
+        <translation>die Textur %1 kann nicht gefühlt werden: Bei ihr fehlt %2; diese Einstellung ergänzen</translation>
+    </message>
+    <message>
+        <source>the brace before %1 begins a number of the design, such as {surfaces}; add the closing brace, or write {{ for a brace in the text</source>
+        <translation>die geschweifte Klammer vor %1 beginnt eine Zahl des Designs, zum Beispiel {surfaces}; die schließende Klammer ergänzen oder für eine Klammer im Text {{ schreiben</translation>
+    </message>
+    <message>
+        <source>%1; use %2, or write {{ for a brace in the text</source>
+        <translation>%1; möglich: %2; für eine geschweifte Klammer im Text {{ schreiben</translation>
+    </message>
+    <message>
+        <source>there is no number of the design %1</source>
+        <translation>es gibt keine Zahl des Designs %1</translation>
+    </message>
+    <message>
+        <source>%1 takes two forms, for one and for several: %2</source>
+        <translation>%1 hat zwei Formen, für Einzahl und Mehrzahl: %2</translation>
+    </message>
+    <message>
+        <source>{surface_names} has no forms; write {surface_names}, or {surfaces|form|forms}</source>
+        <translation>{surface_names} hat keine Formen; {surface_names} oder {surfaces|Form|Formen} schreiben</translation>
+    </message>
+    <message>
+        <source>a session has no breaks, or their number depends on responses or on the time in contact</source>
+        <translation>eine Sitzung hat keine Pausen, oder ihre Anzahl hängt von Antworten oder von der Kontaktzeit ab</translation>
+    </message>
+    <message>
+        <source>a session has no trials of practice</source>
+        <translation>eine Sitzung hat keine Übungsdurchgänge</translation>
+    </message>
+    <message>
+        <source>a session has no main part</source>
+        <translation>eine Sitzung hat keinen Hauptteil</translation>
+    </message>
+    <message>
+        <source>%1; remove %2</source>
+        <translation>%1; %2 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 is known when a session begins: use it in %2, in a screen or break of %3, or in %4</source>
+        <translation>%1 ist erst bekannt, wenn eine Sitzung beginnt: nur unter %2, in einem Text oder einer Pause unter %3 oder unter %4 verwenden</translation>
+    </message>
+    <message>
+        <source>a trial of this block has no %1; remove %2, or state another number</source>
+        <translation>ein Durchgang dieses Blocks hat keine %1; %2 entfernen oder eine andere Zahl angeben</translation>
+    </message>
+    <message>
+        <source>the main blocks have no %1, or differ in them; write the number, or use %2 in a text of the block</source>
+        <translation>die Hauptblöcke haben keine %1 oder unterscheiden sich darin; die Zahl selbst schreiben oder %2 in einem Text des Blocks verwenden</translation>
+    </message>
+    <message>
+        <source>the observer expects the true surface of this texture: give it a %1, or a stimulus that shows it on bodies</source>
+        <translation>die virtuelle Versuchsperson erwartet die wahre Oberfläche dieser Textur: bei der Textur %1 angeben oder einen Reiz ergänzen, der sie auf Körpern darbietet</translation>
+    </message>
+    <message>
+        <source>the observer expects the stated prior of this texture: give it a %1</source>
+        <translation>die virtuelle Versuchsperson erwartet die angegebenen Merkmale dieser Textur: bei der Textur %1 angeben</translation>
+    </message>
+    <message>
+        <source>more than %1 different trials could be drawn; draw fewer factors or levels</source>
+        <translation>mehr als %1 verschiedene Durchgänge könnten ausgelost werden; weniger Faktoren oder Stufen auslosen</translation>
+    </message>
+    <message>
+        <source>a surface without a texture needs an %1 as its name in the responses</source>
+        <translation>eine Oberfläche ohne Textur erfordert die Einstellung %1 als Namen in den Antworten</translation>
+    </message>
+    <message>
+        <source>two surfaces of a trial count as %1 in the responses; give each its own %2</source>
+        <translation>zwei Oberflächen eines Durchgangs heißen in den Antworten %1; jeder unter %2 einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>the correct response %1 is not among the pictures; add its picture</source>
+        <translation>die richtige Antwort %1 ist nicht unter den Bildern; ihr Bild ergänzen</translation>
+    </message>
+    <message>
+        <source>the correct response %1 is not among the options; add it</source>
+        <translation>die richtige Antwort %1 ist nicht unter den Antwortmöglichkeiten; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>the protocol has no text for participants or readers at the address %1</source>
+        <translation>das Protokoll hat unter der Adresse %1 keinen Text für Versuchspersonen oder die Leserschaft</translation>
+    </message>
+    <message>
+        <source>the protocol has no text at this address that begins with these words; it has %1: check the translation, and correct the words</source>
+        <translation>das Protokoll hat unter dieser Adresse keinen Text, der mit diesen Worten beginnt, sondern %1: die Übersetzung prüfen und die Worte berichtigen</translation>
+    </message>
+    <message>
+        <source>these words are the beginning of several texts at this address; repeat more of the text</source>
+        <translation>mehrere Texte unter dieser Adresse beginnen mit diesen Worten; mehr vom Text wiederholen</translation>
+    </message>
+    <message>
+        <source>another entry translates this text; remove one of them</source>
+        <translation>ein anderer Eintrag übersetzt diesen Text; einen der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>this text has no translation yet; write it in place of %1</source>
+        <translation>dieser Text ist noch nicht übersetzt; die Übersetzung anstelle von %1 schreiben</translation>
+    </message>
+    <message>
+        <source>the text %1 has no translation; add %2</source>
+        <translation>der Text %1 ist nicht übersetzt; %2 ergänzen</translation>
+    </message>
+    <message>
+        <source>an object {…}</source>
+        <translation>ein Objekt {…}</translation>
+    </message>
+    <message>
+        <source>a list […]</source>
+        <translation>eine Liste […]</translation>
+    </message>
+    <message>
+        <source>text in quotation marks</source>
+        <translation>Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>%1. Expected here: %2</source>
+        <translation>%1. Hier erwartet: %2</translation>
+    </message>
+    <message>
+        <source>there is no key %1 here</source>
+        <translation>es gibt hier keine Einstellung %1</translation>
+    </message>
+    <message>
+        <source>%1; it could be %2</source>
+        <translation>%1; möglich: %2</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing; add it</source>
+        <translation>die Einstellung %1 fehlt; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>this key requires the key %1, which is missing; add it, or remove this key</source>
+        <translation>diese Einstellung erfordert die Einstellung %1, die fehlt; %1 ergänzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>this key and %1 exclude each other; keep one of the two</source>
+        <translation>diese Einstellung und %1 schließen einander aus; nur eine der beiden behalten</translation>
+    </message>
+    <message>
+        <source>this key applies only where %1 is %2 or absent; remove this key, or change %1</source>
+        <translation>diese Einstellung gilt nur, wenn %1 den Wert %2 hat oder fehlt; diese Einstellung entfernen oder %1 ändern</translation>
+    </message>
+    <message>
+        <source>this key applies only where %1 is %2; remove this key, or set %1 to %2</source>
+        <translation>diese Einstellung gilt nur, wenn %1 den Wert %2 hat; diese Einstellung entfernen oder %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>%1 is not a name: use lower-case letters, digits and underscores, starting with a letter, at most 64 characters</source>
+        <translation>%1 ist kein Name: Zulässig sind Kleinbuchstaben (ohne Umlaute), Ziffern und Unterstriche, beginnend mit einem Buchstaben, höchstens 64 Zeichen</translation>
+    </message>
+    <message>
+        <source>%1 is not permitted here: write %2, without quotation marks</source>
+        <translation>%1 ist hier nicht zulässig: %2 ohne Anführungszeichen schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is not permitted here: write %2</source>
+        <translation>%1 ist hier nicht zulässig, nur %2</translation>
+    </message>
+    <message>
+        <source>%1 is not supported: write %2</source>
+        <translation>%1 wird nicht unterstützt: %2 schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is too small: it must be greater than %2%3</source>
+        <translation>%1 ist zu klein: Der Wert muss größer als %2 sein%3</translation>
+    </message>
+    <message>
+        <source>%1 is too small: it must be at least %2%3</source>
+        <translation>%1 ist zu klein: Der Wert muss mindestens %2 sein%3</translation>
+    </message>
+    <message>
+        <source>%1 is too large: it must be less than %2%3</source>
+        <translation>%1 ist zu groß: Der Wert muss kleiner als %2 sein%3</translation>
+    </message>
+    <message>
+        <source>%1 is too large: it must be at most %2%3</source>
+        <translation>%1 ist zu groß: Der Wert darf höchstens %2 sein%3</translation>
+    </message>
+    <message>
+        <source>%1 does not have the required form; correct it</source>
+        <translation>%1 hat nicht die verlangte Form; den Wert berichtigen</translation>
+    </message>
+    <message>
+        <source>this text is empty; enter a text</source>
+        <translation>dieser Text ist leer; einen Text eingeben</translation>
+    </message>
+    <message>
+        <source>this text is longer than %1 characters; shorten it</source>
+        <translation>dieser Text ist länger als %1 Zeichen; ihn kürzen</translation>
+    </message>
+    <message>
+        <source>%1 entry is too few: write at least %2</source>
+        <translation>%1 Eintrag ist zu wenig: mindestens %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 entries are too few: write at least %2</source>
+        <translation>%1 Einträge sind zu wenig: mindestens %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 entry is too many: write at most %2</source>
+        <translation>%1 Eintrag ist zu viel: höchstens %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 entries are too many: write at most %2</source>
+        <translation>%1 Einträge sind zu viele: höchstens %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 occurs twice in this list; keep one</source>
+        <translation>%1 kommt in dieser Liste zweimal vor; nur einen Eintrag behalten</translation>
+    </message>
+    <message>
+        <source>this object is empty; add an entry</source>
+        <translation>hier steht nichts; einen Eintrag ergänzen</translation>
+    </message>
+    <message>
+        <source>write exactly one of the keys %1 here</source>
+        <translation>hier genau eine der Einstellungen %1 angeben</translation>
+    </message>
+    <message>
+        <source>a two-alternative forced choice</source>
+        <translation>2AFC-Aufgabe</translation>
+    </message>
+    <message>
+        <source>a three-alternative forced choice</source>
+        <translation>3AFC-Aufgabe</translation>
+    </message>
+    <message>
+        <source>an oddity task</source>
+        <translation>Oddity-Aufgabe</translation>
+    </message>
+    <message>
+        <source>a yes/no task</source>
+        <translation>Ja/Nein-Aufgabe</translation>
+    </message>
+    <message>
+        <source>a same–different task</source>
+        <translation>Gleich-verschieden-Aufgabe</translation>
+    </message>
+    <message>
+        <source>a discrimination needs the parameter in which the comparison differs from the standard; add %1</source>
+        <translation>eine Unterscheidung erfordert den Parameter, in dem sich der Vergleichsreiz vom Standardreiz unterscheidet; die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>a discrimination varies the comparison; write %1</source>
+        <translation>eine Unterscheidung variiert den Vergleichsreiz; %1 angeben</translation>
+    </message>
+    <message>
+        <source>the levels of a discrimination are compared with the standard; set %1 to %2</source>
+        <translation>die Stufen einer Unterscheidung werden mit dem Standardreiz verglichen; die Einstellung %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>the stimulus of the standard does not state a number for %1; state it there</source>
+        <translation>der Reiz mit der Rolle „standard“ gibt keine Zahl für %1 an; sie dort angeben</translation>
+    </message>
+    <message>
+        <source>in %1 the options are the surfaces felt; remove this key, or state another %2 of the block</source>
+        <translation>bei einer %1 sind die gefühlten Oberflächen die Antwortmöglichkeiten; diese Einstellung entfernen oder für den Block die Einstellung %2 anders wählen</translation>
+    </message>
+    <message>
+        <source>in %1 one response is correct; set it to %2</source>
+        <translation>bei einer %1 ist eine Antwort richtig; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>%1 has the %2 %3 and %4; list these two values</source>
+        <translation>eine %1 hat unter %2 die Werte %3 und %4; diese beiden Werte aufführen</translation>
+    </message>
+    <message>
+        <source>%1 presents every level equally often, because a proportion correct depends on the criterion of the participant as well as on the level; remove this key, and state %2</source>
+        <translation>eine %1 bietet jede Stufe gleich oft dar, weil der Anteil richtiger Antworten nicht nur von der Stufe, sondern auch vom Kriterium der Versuchsperson abhängt; diese Einstellung entfernen und die Einstellung %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 presents one surface in each trial; remove this key</source>
+        <translation>eine %1 bietet in jedem Durchgang eine Oberfläche dar; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>%1 presents one surface in each trial; set it to %2</source>
+        <translation>eine %1 bietet in jedem Durchgang eine Oberfläche dar; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>the virtual observer of %1 needs a criterion; state %2 under %3, or %4: true</source>
+        <translation>die virtuelle Versuchsperson einer %1 benötigt ein Kriterium; unter %3 die Einstellung %2 oder %4: true angeben</translation>
+    </message>
+    <message>
+        <source>a discrimination needs %1: %2 where the comparison is the correct response, or %3 where no response is correct</source>
+        <translation>eine Unterscheidung erfordert die Einstellung %1: %2, wenn der Vergleichsreiz die richtige Antwort ist, oder %3, wenn keine Antwort richtig ist</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 the comparison is the correct response, so that every level must be above the standard, or every level below it; remove the others, or use the judgement %2</source>
+        <translation>mit dem Urteil %1 ist der Vergleichsreiz die richtige Antwort, sodass alle Stufen über dem Standardreiz liegen müssen oder alle darunter; die anderen entfernen oder das Urteil %2 verwenden</translation>
+    </message>
+    <message>
+        <source>the judgement %1 estimates the point of subjective equality, which needs levels below and above the standard; add some, or use the judgement %2</source>
+        <translation>mit dem Urteil %1 wird der Punkt der subjektiven Gleichheit geschätzt, wofür Stufen unter und über dem Standardreiz nötig sind; welche ergänzen oder das Urteil %2 verwenden</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 no response is correct or incorrect; set it to %2</source>
+        <translation>mit dem Urteil %1 ist keine Antwort richtig oder falsch; diese Einstellung auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>with the judgement %1 no response is correct or incorrect; remove this key</source>
+        <translation>mit dem Urteil %1 ist keine Antwort richtig oder falsch; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a discrimination presents one surface with the role %1 and one with the role %2; list these two</source>
+        <translation>eine Unterscheidung bietet eine Oberfläche mit der Rolle %1 und eine mit der Rolle %2 dar; diese beiden aufführen</translation>
+    </message>
+    <message>
+        <source>in a discrimination the role names each surface; remove this key</source>
+        <translation>bei einer Unterscheidung ist die Rolle der Name jeder Oberfläche; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the same surface would always be presented first, so that an order effect could not be distinguished from a difference; set %1 to %2 or %3</source>
+        <translation>dieselbe Oberfläche würde immer zuerst dargeboten, sodass sich ein Reihenfolgeeffekt nicht von einem Unterschied trennen ließe; die Einstellung %1 auf %2 oder %3 setzen</translation>
+    </message>
+    <message>
+        <source>%1 has the %2 %3 and %4; remove this key</source>
+        <translation>eine %1 hat unter %2 die Werte %3 und %4; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the analysis of %1 needs a choice in every trial; remove this key</source>
+        <translation>die Auswertung einer %1 erfordert eine Wahl in jedem Durchgang; diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>discrimination</source>
+        <translation>Unterscheidung</translation>
+    </message>
+    <message>
+        <source>a spacing must be above 0; write a length in metres</source>
+        <translation>ein Abstand muss größer als 0 sein; eine Länge in Metern angeben</translation>
+    </message>
+    <message>
+        <source>%1 is used as a spacing but is neither a number nor a texture; write a length in metres, or the name of a texture</source>
+        <translation>%1 wird als Abstand verwendet, ist aber weder eine Zahl noch eine Textur; eine Länge in Metern oder den Namen einer Textur angeben</translation>
+    </message>
+    <message>
+        <source>estimates are analysed by the spacing of this texture: give it a %1</source>
+        <translation>Schätzungen werden nach dem Abstand der Elemente dieser Textur ausgewertet: bei ihr die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>a curve needs at least three different spacings; number given: %1; add spacings</source>
+        <translation>eine Kurve erfordert mindestens drei verschiedene Abstände; angegebene Anzahl: %1; Abstände ergänzen</translation>
+    </message>
+    <message>
+        <source>an exponent needs at least three different values of the predictor; number given: %1; add levels</source>
+        <translation>ein Exponent erfordert mindestens drei verschiedene Werte des Prädiktors; angegebene Anzahl: %1; Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>estimates of at least two stimuli can be compared; number given: %1; add levels</source>
+        <translation>verglichen werden können Schätzungen von mindestens zwei Reizen; angegebene Anzahl: %1; Stufen ergänzen</translation>
+    </message>
+    <message>
+        <source>the level %1 of the factor has no value; add it</source>
+        <translation>die Stufe %1 des Faktors hat keinen Wert; ihn ergänzen</translation>
+    </message>
+    <message>
+        <source>%1 is not a level of the factor %2; remove it</source>
+        <translation>%1 ist keine Stufe des Faktors %2; den Eintrag entfernen</translation>
+    </message>
+    <message>
+        <source>the value is %1; it must be above 0, because its logarithm is the abscissa</source>
+        <translation>der Wert ist %1; er muss größer als 0 sein, weil sein Logarithmus die Abszisse ist</translation>
+    </message>
+    <message>
+        <source>the predictor is the level, and %1 is not a number above 0; set %2 to %3 and state the value of each level, or write numbers above 0</source>
+        <translation>der Prädiktor ist die Stufe, und %1 ist keine Zahl über 0; die Einstellung %2 auf %3 setzen und den Wert jeder Stufe angeben oder Zahlen über 0 verwenden</translation>
+    </message>
+    <message>
+        <source>write exactly one of %1, the factor whose levels are spacings, and %2, the factor whose levels are any other stimuli</source>
+        <translation>genau eine dieser Einstellungen angeben: %1, den Faktor, dessen Stufen Abstände sind, oder %2, den Faktor, dessen Stufen beliebige andere Reize sind</translation>
+    </message>
+    <message>
+        <source>the predictor is the spacing; remove this key, or write %1 in place of %2</source>
+        <translation>der Prädiktor ist der Abstand; diese Einstellung entfernen oder %1 statt %2 angeben</translation>
+    </message>
+    <message>
+        <source>this test belongs to an estimation with %1; write %2</source>
+        <translation>dieser Test gehört zu einer Größenschätzung mit der Einstellung %1; %2 angeben</translation>
+    </message>
+    <message>
+        <source>with free modulus every participant has a separate scale, which only %1 removes; write it, or state a standard with its number under %2</source>
+        <translation>bei freiem Modulus hat jede Versuchsperson ihre eigene Skala, was nur %1 ausgleicht; dies oder unter %2 einen Standardreiz mit seiner Zahl angeben</translation>
+    </message>
+    <message>
+        <source>%1 is not a level of the factor %2; write one of its levels</source>
+        <translation>%1 ist keine Stufe des Faktors %2; eine seiner Stufen angeben</translation>
+    </message>
+    <message>
+        <source>a main block must cross, list or vary the levels of the factor %1</source>
+        <translation>ein Hauptblock muss die Stufen des Faktors %1 kreuzen, aufführen oder variieren</translation>
+    </message>
+    <message>
+        <source>a main block must cross or list the spacings, the factor %1</source>
+        <translation>ein Hauptblock muss die Abstände, den Faktor %1, kreuzen oder aufführen</translation>
+    </message>
+    <message>
+        <source>the items and the condition are the same factor; name another one</source>
+        <translation>die Items und die Bedingung sind derselbe Faktor; einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>spacing and condition are the same factor; name another one</source>
+        <translation>Abstand und Bedingung sind derselbe Faktor; einen anderen angeben</translation>
+    </message>
+    <message>
+        <source>with a modulus each trial presents the standard and then the estimated surface; list two surfaces, the first one with the role %1</source>
+        <translation>mit Modulus bietet jeder Durchgang den Standardreiz und dann die geschätzte Oberfläche dar; zwei Oberflächen aufführen, die erste mit der Rolle %1</translation>
+    </message>
+    <message>
+        <source>the standard is the level %1 of the factor %2; state this level under %3</source>
+        <translation>der Standardreiz ist die Stufe %1 des Faktors %2; diese Stufe unter %3 angeben</translation>
+    </message>
+    <message>
+        <source>the standard precedes the estimated surface in every trial; set this to %1</source>
+        <translation>der Standardreiz geht der geschätzten Oberfläche in jedem Durchgang voraus; diese Einstellung auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>every trial begins with the standard, so that an anchor at the start is not needed; remove this key, or name further places under %1</source>
+        <translation>jeder Durchgang beginnt mit dem Standardreiz, sodass ein Anker am Anfang nicht nötig ist; diese Einstellung entfernen oder unter %1 weitere Stellen angeben</translation>
+    </message>
+    <message>
+        <source>an observer derives a magnitude estimate from the felt force and has no expectation: set this to %1</source>
+        <translation>eine virtuelle Versuchsperson leitet eine Größenschätzung aus der gefühlten Kraft ab und hat keine Erwartung: diese Einstellung auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>a magnitude estimation must state the factor by which estimates are analysed: add the key %1 with this factor as %2, or as %3 for other stimuli</source>
+        <translation>eine Größenschätzung muss den Faktor angeben, nach dem die Schätzungen ausgewertet werden: die Einstellung %1 mit diesem Faktor als %2 oder, bei anderen Reizen, als %3 ergänzen</translation>
+    </message>
+    <message>
+        <source>magnitude estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>a matching needs at least two surfaces to assign; list them here</source>
+        <translation>eine Zuordnung erfordert mindestens zwei Oberflächen; sie hier aufführen</translation>
+    </message>
+    <message>
+        <source>a matching needs as many pictures as surfaces; pictures given: %1, surfaces given: %2; add or remove pictures</source>
+        <translation>eine Zuordnung erfordert so viele Bilder wie Oberflächen; angegebene Bilder: %1, angegebene Oberflächen: %2; Bilder ergänzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>the main blocks of a paired comparison are analysed together, and the block %1 has another question; give both questions the same name, prompt and tie, or write a protocol for each of them</source>
+        <translation>die Hauptblöcke eines Paarvergleichs werden zusammen ausgewertet, und der Block %1 hat eine andere Frage; für beide Fragen denselben Namen, denselben Text und denselben Gleichstand angeben oder für jede ein eigenes Protokoll schreiben</translation>
+    </message>
+    <message>
+        <source>the main blocks of a paired comparison are analysed together, and the block %1 compares other surfaces; give both blocks the same stimulus and %2, or write a protocol for each of them</source>
+        <translation>die Hauptblöcke eines Paarvergleichs werden zusammen ausgewertet, und der Block %1 vergleicht andere Oberflächen; in beiden Blöcken denselben Reiz und dieselbe Einstellung %2 verwenden oder für jeden ein eigenes Protokoll schreiben</translation>
+    </message>
+    <message>
+        <source>a paired comparison presents exactly two surfaces per trial; for all pairs of the levels of a factor, add %1 and list one surface</source>
+        <translation>ein Paarvergleich bietet genau zwei Oberflächen je Durchgang dar; für alle Paare der Stufen eines Faktors die Einstellung %1 ergänzen und eine Oberfläche aufführen</translation>
+    </message>
+    <message>
+        <source>a surface counts as %1 in the responses, but this is the name of a tie; give the surface another name</source>
+        <translation>eine Oberfläche heißt in den Antworten %1, aber dies ist der Name eines Gleichstands; der Oberfläche einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>paired comparison</source>
+        <translation>Paarvergleich</translation>
+    </message>
+    <message>
+        <source>a rating presents exactly one surface per trial; list one here</source>
+        <translation>eine Beurteilung bietet genau eine Oberfläche je Durchgang dar; hier eine aufführen</translation>
+    </message>
+    <message>
+        <source>rating</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>with the standard %1 the experimenter needs to know which sample to place: add %2 with {code} in it, such as &quot;Place sample {code} next to the device.&quot;</source>
+        <translation>mit dem Maßstab %1 muss die Versuchsleitung wissen, welche Probe hinzulegen ist: die Einstellung %2 mit {code} darin ergänzen, zum Beispiel „Probe {code} neben das Gerät legen.“</translation>
+    </message>
+    <message>
+        <source>the surfaces of a trial show different textures (%1 and %2); realism is compared between renderings of one texture; give them the same texture</source>
+        <translation>die Oberflächen eines Durchgangs zeigen verschiedene Texturen (%1 und %2); Realismus wird zwischen Wiedergaben derselben Textur verglichen; ihnen dieselbe Textur geben</translation>
+    </message>
+    <message>
+        <source>realism is measured against a photograph here: give the texture a %1</source>
+        <translation>Realismus wird hier an einem Foto gemessen: bei der Textur die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>realism is measured against a physical sample here: give the texture the %1 on its label</source>
+        <translation>Realismus wird hier an einer physischen Probe gemessen: bei der Textur die Einstellung %1 mit der Beschriftung der Probe ergänzen</translation>
+    </message>
+    <message>
+        <source>a recognition presents exactly one surface per trial; list one here</source>
+        <translation>eine Wiedererkennung bietet genau eine Oberfläche je Durchgang dar; hier eine aufführen</translation>
+    </message>
+    <message>
+        <source>a recognition needs %1 to choose from; add this key</source>
+        <translation>eine Wiedererkennung erfordert eine Auswahl von Bildern; die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>a recognition needs %1: the factor whose level is the correct picture; add this key</source>
+        <translation>eine Wiedererkennung erfordert den Faktor, dessen Stufe das richtige Bild ist; die Einstellung %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>the correct response would be %1, but the texture felt is %2; name the factor of the texture</source>
+        <translation>die richtige Antwort wäre %1, aber die gefühlte Textur ist %2; den Faktor der Textur angeben</translation>
+    </message>
+    <message>
+        <source>recognition</source>
+        <translation>Wiedererkennung</translation>
+    </message>
+    <message>
+        <source>a selection needs at least two surfaces to choose from; list them here</source>
+        <translation>eine Auswahl erfordert mindestens zwei Oberflächen; sie hier aufführen</translation>
+    </message>
+    <message>
+        <source>the observer&apos;s %1 requires surfaces with a texture: give them a texture, or set %1 to %2</source>
+        <translation>die Einstellung %1 der virtuellen Versuchsperson erfordert Oberflächen mit einer Textur: ihnen eine Textur geben oder die Einstellung %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>a selection must state the standard of realism: add the key %1 with %2, %3 or %4</source>
+        <translation>eine Auswahl muss den Maßstab des Realismus angeben: die Einstellung %1 mit %2, %3 oder %4 ergänzen</translation>
+    </message>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>a similarity presents exactly two surfaces per trial; for all pairs of the levels of a factor, add %1 and list one surface</source>
+        <translation>ein Experiment der Art „Ähnlichkeit“ bietet genau zwei Oberflächen je Durchgang dar; für alle Paare der Stufen eines Faktors die Einstellung %1 ergänzen und eine Oberfläche aufführen</translation>
+    </message>
+    <message>
+        <source>the main blocks of a similarity are analysed together, and the block %1 has another question; give both questions the same name, prompt and %2, or write a protocol for each of them</source>
+        <translation>die Hauptblöcke eines Experiments der Art „Ähnlichkeit“ werden zusammen ausgewertet, und der Block %1 hat eine andere Frage; für beide Fragen denselben Namen, denselben Text und dieselbe Einstellung %2 angeben oder für jede ein eigenes Protokoll schreiben</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>there is no level; state at least one, better five to nine around the expected threshold</source>
+        <translation>es gibt keine Stufe; mindestens eine angeben, besser fünf bis neun um die erwartete Schwelle</translation>
+    </message>
+    <message>
+        <source>there are more than %1 levels; remove some</source>
+        <translation>es gibt mehr als %1 Stufen; einige entfernen</translation>
+    </message>
+    <message>
+        <source>level %1 is not a finite number; correct or remove it</source>
+        <translation>die Stufe Nr. %1 ist keine endliche Zahl; sie berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>the level %1 follows %2; list the levels in ascending order, each once</source>
+        <translation>die Stufe %1 folgt auf %2; die Stufen in aufsteigender Reihenfolge aufführen, jede nur einmal</translation>
+    </message>
+    <message>
+        <source>no level is presented; set the repetitions to 1 or more</source>
+        <translation>keine Stufe wird dargeboten; die Wiederholungen auf 1 oder mehr setzen</translation>
+    </message>
+    <message>
+        <source>the track has more than %1 trials; use fewer repetitions or levels</source>
+        <translation>die Folge (Track) hat mehr als %1 Durchgänge; weniger Wiederholungen oder Stufen verwenden</translation>
+    </message>
+    <message>
+        <source>a program must not be able to continue a track without end; state the maximum number of trials of a track, between 1 and %1</source>
+        <translation>ein Programm darf eine Folge (Track) nicht endlos fortsetzen können; die Höchstzahl der Durchgänge einer Folge angeben, zwischen 1 und %1</translation>
+    </message>
+    <message>
+        <source>the program cannot have %1 s for its answer; state between 1 and 600 seconds</source>
+        <translation>die Zeit bis zur Antwort des Programms kann nicht %1 s sein; zwischen 1 und 600 Sekunden angeben</translation>
+    </message>
+    <message>
+        <source>1, such as 1.1 for steps of 10 %</source>
+        <translation>1, zum Beispiel 1,1 für Schritte von 10 %</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number; state one</source>
+        <translation>%1 ist keine endliche Zahl; eine angeben</translation>
+    </message>
+    <message>
+        <source>the step %1 does not change the level; on the scale %2 it must be above %3</source>
+        <translation>der Schritt %1 ändert die Stufe nicht; auf der Skala %2 muss er größer sein als %3</translation>
+    </message>
+    <message>
+        <source>the lowest level is %1; on the scale %2 levels are above 0: raise it, or use the scale linear</source>
+        <translation>die niedrigste Stufe ist %1; auf der Skala %2 sind Stufen größer als 0: sie erhöhen oder die Skala linear verwenden</translation>
+    </message>
+    <message>
+        <source>the grid is empty: its highest level %1 is below its lowest %2; exchange them, or correct the unit of one of them</source>
+        <translation>das Raster ist leer: Seine höchste Stufe %1 liegt unter seiner niedrigsten %2; beide vertauschen oder die Einheit einer der beiden berichtigen</translation>
+    </message>
+    <message>
+        <source>the grid has more than %1 levels; use a larger step or a narrower range</source>
+        <translation>das Raster hat mehr als %1 Stufen; einen größeren Schritt oder einen engeren Bereich verwenden</translation>
+    </message>
+    <message>
+        <source>the number of trials has no limit; state a maximum number of trials</source>
+        <translation>die Anzahl der Durchgänge ist nicht begrenzt; eine Höchstzahl der Durchgänge angeben</translation>
+    </message>
+    <message>
+        <source>the maximum number of trials is above %1; lower it</source>
+        <translation>die Höchstzahl der Durchgänge liegt über %1; sie verringern</translation>
+    </message>
+    <message>
+        <source>the ratio %1 of the upper to the lower end of an interval must be above 1, such as 1.5; raise it</source>
+        <translation>das Verhältnis %1 des oberen zum unteren Ende eines Intervalls muss größer als 1 sein, zum Beispiel 1,5; es erhöhen</translation>
+    </message>
+    <message>
+        <source>the interval cannot end a track before trial %1, but the track has at most %2; lower the minimum, or allow more trials</source>
+        <translation>das Intervall kann eine Folge (Track) nicht vor Durchgang %1 beenden, aber die Folge hat höchstens %2; die Mindestzahl verringern oder mehr Durchgänge zulassen</translation>
+    </message>
+    <message>
+        <source>a track of %1 trials cannot have %2 correct and as many incorrect responses; lower the number</source>
+        <translation>in einer Folge (Track) von höchstens %1 Durchgängen sind %2 richtige und ebenso viele falsche Antworten nicht möglich; die Anzahl verringern</translation>
+    </message>
+    <message>
+        <source>the range begins at %1; it must begin at 0 or above</source>
+        <translation>der Bereich beginnt bei %1; er muss bei 0 oder darüber beginnen</translation>
+    </message>
+    <message>
+        <source>the range begins at %1; it must begin above 0</source>
+        <translation>der Bereich beginnt bei %1; er muss über 0 beginnen</translation>
+    </message>
+    <message>
+        <source>the range has %1 values; state 1 to %2</source>
+        <translation>die Anzahl der Werte des Bereichs ist %1; 1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>%1 values from %2 to %3 are not a range; state a highest value above the lowest one, or 1 value with both equal</source>
+        <translation>Werte von %2 bis %3 in der Anzahl %1 sind kein Bereich; einen höchsten Wert über dem niedrigsten angeben oder zwei gleiche mit der Anzahl 1</translation>
+    </message>
+    <message>
+        <source>a single threshold leaves nothing to estimate; state at least 2 values</source>
+        <translation>bei einer einzigen Schwelle bleibt nichts zu schätzen; mindestens 2 Werte angeben</translation>
+    </message>
+    <message>
+        <source>without lapses an incorrect response to an easy level is impossible; state a highest lapse rate above 0, such as 0.06</source>
+        <translation>ohne Fehlerrate (lapse rate) ist eine falsche Antwort bei einer leichten Stufe unmöglich; eine höchste Fehlerrate über 0 angeben, zum Beispiel 0,06</translation>
+    </message>
+    <message>
+        <source>the target %1 must be above %2, the proportion of correct guesses, and below %3, 1 minus the highest lapse rate; state one, such as 0.75</source>
+        <translation>das Ziel %1 muss über %2 liegen, dem Anteil richtiger Antworten beim Raten, und unter %3, 1 minus der höchsten Fehlerrate (lapse rate); eines angeben, zum Beispiel 0,75</translation>
+    </message>
+    <message>
+        <source>thresholds, slopes, lapse rates and levels have %1 combinations, which would delay the trials; reduce their numbers to %2 combinations or less</source>
+        <translation>Schwellen, Steigungen, Fehlerraten (lapse rates) und Stufen haben %1 Kombinationen, was die Durchgänge verzögern würde; ihre Anzahlen auf höchstens %2 Kombinationen verringern</translation>
+    </message>
+    <message>
+        <source>the grid has only one level, %1, so that there is nothing to choose; reduce its step, or widen its bounds</source>
+        <translation>das Raster hat nur eine Stufe, %1, sodass es nichts zu wählen gibt; seinen Schritt verkleinern oder seine Grenzen erweitern</translation>
+    </message>
+    <message>
+        <source>the start %1 is outside the bounds %2 and %3; choose a level between them, or widen them</source>
+        <translation>die Startstufe %1 liegt außerhalb der Grenzen %2 und %3; eine Stufe zwischen ihnen wählen oder die Grenzen erweitern</translation>
+    </message>
+    <message>
+        <source>the grid has only one level, %1; reduce its step, or widen its bounds</source>
+        <translation>das Raster hat nur eine Stufe, %1; seinen Schritt verkleinern oder seine Grenzen erweitern</translation>
+    </message>
+    <message>
+        <source>the start %1 is not a level of the grid; use the nearest level, %2</source>
+        <translation>die Startstufe %1 ist keine Stufe des Rasters; die nächstgelegene Stufe verwenden, %2</translation>
+    </message>
+    <message>
+        <source>there is no step; state at least one</source>
+        <translation>es gibt keinen Schritt; mindestens einen angeben</translation>
+    </message>
+    <message>
+        <source>the step %1 is not a whole number of steps of the grid (%2); change the step or the grid</source>
+        <translation>der Schritt %1 ist kein ganzzahliges Vielfaches des Rasterschritts (%2); den Schritt oder das Raster ändern</translation>
+    </message>
+    <message>
+        <source>there is no stopping rule; state a maximum number of trials, with or without a number of reversals</source>
+        <translation>es gibt keine Abbruchregel; eine Höchstzahl der Durchgänge angeben, mit oder ohne eine Anzahl von Umkehrpunkten</translation>
+    </message>
+    <message>
+        <source>the number of trials has no limit, and a track that stays at a bound never reverses; state a maximum number of trials</source>
+        <translation>die Anzahl der Durchgänge ist nicht begrenzt, und eine Folge (Track), die an einer Grenze bleibt, kehrt nie um; eine Höchstzahl der Durchgänge angeben</translation>
+    </message>
+    <message>
+        <source>a track with 0 reversals has no trial; state a number above 0, or leave the rule out</source>
+        <translation>eine Folge (Track) mit 0 Umkehrpunkten hat keinen Durchgang; eine Zahl über 0 angeben oder die Regel weglassen</translation>
+    </message>
+    <message>
+        <source>a track that ends after 0 moves beyond a bound has no trial; state a number above 0, or leave the rule out</source>
+        <translation>eine Folge (Track), die nach 0 begrenzten Schritten endet, hat keinen Durchgang; eine Zahl über 0 angeben oder die Regel weglassen</translation>
+    </message>
+    <message>
+        <source>the rule moves up after 0 responses; state a number above 0</source>
+        <translation>die Regel führt nach 0 Antworten aufwärts; eine Zahl über 0 angeben</translation>
+    </message>
+    <message>
+        <source>the rule moves down after 0 responses; state a number above 0</source>
+        <translation>die Regel führt nach 0 Antworten abwärts; eine Zahl über 0 angeben</translation>
+    </message>
+    <message>
+        <source>the target %1 is not above 1/%2, the proportion of correct guesses, so that the response &quot;cannot tell&quot; would not lead to a higher level; use a higher target, such as 0.75</source>
+        <translation>das Ziel %1 liegt nicht über 1/%2, dem Anteil richtiger Antworten beim Raten, sodass die Antwort „kann es nicht sagen“ nicht zu einer höheren Stufe führen würde; ein höheres Ziel verwenden, zum Beispiel 0,75</translation>
+    </message>
+    <message>
+        <source>the step up after the response &quot;cannot tell&quot; is %1 times the step down for the target %2 and %3 alternatives, the mean step of a guess, which is not a whole number of steps of the grid; use a larger step down or a finer grid%4</source>
+        <translation>der Schritt aufwärts nach der Antwort „kann es nicht sagen“ ist bei dem Ziel %2 und %3 Alternativen das %1-Fache des Schritts abwärts, der mittlere Schritt beim Raten, und damit kein ganzzahliges Vielfaches des Rasterschritts; einen größeren Schritt abwärts oder ein feineres Raster%4 verwenden</translation>
+    </message>
+    <message>
+        <source>, or the target 0.75 (ratio 1)</source>
+        <translation> oder das Ziel 0,75 (Verhältnis 1)</translation>
+    </message>
+    <message>
+        <source>the target %1 is not a proportion between 0 and 1; state one, such as 0.75 for two alternatives</source>
+        <translation>das Ziel %1 ist kein Anteil zwischen 0 und 1; einen angeben, zum Beispiel 0,75 bei zwei Alternativen</translation>
+    </message>
+    <message>
+        <source>a step up is %1 times the step down for the target %2, which is not a whole number of steps of the grid; use a target whose ratio is a whole number, such as 0.75 (ratio 3), a larger step down, or a finer grid</source>
+        <translation>ein Schritt aufwärts ist bei dem Ziel %2 das %1-Fache des Schritts abwärts und damit kein ganzzahliges Vielfaches des Rasterschritts; ein Ziel, dessen Verhältnis eine ganze Zahl ist, zum Beispiel 0,75 (Verhältnis 3), einen größeren Schritt abwärts oder ein feineres Raster verwenden</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>surface_names</source>
+        <translation>Namen der Oberflächen</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>scales</source>
+        <translation>Skalen</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>Antwortmöglichkeiten</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>trials of practice</source>
+        <translation>Übungsdurchgänge</translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>breaks</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>the test %1 is not possible: %2; remove it</source>
+        <translation>der Test %1 ist nicht möglich, denn %2; ihn entfernen</translation>
+    </message>
+    <message>
+        <source>the responses are words, and no surface is chosen</source>
+        <translation>die Antworten sind Worte, und es wird keine Oberfläche gewählt</translation>
+    </message>
+    <message>
+        <source>it requires the judgement %1</source>
+        <translation>er erfordert das Urteil %1</translation>
+    </message>
+    <message>
+        <source>the thresholds of all trials are those of one condition, because no other factor than the varied parameter has several levels</source>
+        <translation>die Schwellen aller Durchgänge sind die einer einzigen Bedingung, weil außer dem variierten Parameter kein Faktor mehrere Stufen hat</translation>
+    </message>
+    <message>
+        <source>the levels converge on %1 % correct responses, but guesses are correct in %2 %, so that no level is reached; require more correct responses for a lower level (%3: 2 or 3), or state a higher %4</source>
+        <translation>die Stufen konvergieren auf %1 % richtige Antworten, aber geratene Antworten sind zu %2 % richtig, sodass keine Stufe erreicht wird; mehr richtige Antworten für eine niedrigere Stufe verlangen (%3: 2 oder 3) oder die Einstellung %4 erhöhen</translation>
+    </message>
+    <message>
+        <source>this scale does not state whether it rates the confidence in a response: there is no ROC, and virtual participants rate the first surface. If it does, add %1: %2</source>
+        <translation>diese Skala gibt nicht an, ob sie die Sicherheit einer Antwort beurteilt: Es gibt keine ROC, und virtuelle Versuchspersonen beurteilen die erste Oberfläche. Wenn sie das tut, %1: %2 ergänzen</translation>
+    </message>
+    <message>
+        <source>virtual participants never give the response &quot;cannot tell&quot;; state %1 under %2, the relative difference below which they do</source>
+        <translation>virtuelle Versuchspersonen geben nie die Antwort „kann es nicht sagen“; %1 unter %2 angeben, die relative Differenz, unterhalb derer dies die Antwort ist</translation>
+    </message>
+    <message>
+        <source>less than %1 %</source>
+        <translation>weniger als %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>a session has at most %1 catch trial: a participant who guesses in all of them stays in the analysis with a probability of %2, and an attentive participant with errors in 5 % of them is excluded with a probability of %3; state another limit, or more catch trials (a smaller %4)</source>
+        <translation>eine Sitzung hat höchstens %1 Kontrolldurchgang: Eine Versuchsperson, die darin rät, bleibt mit einer Wahrscheinlichkeit von %2 in der Auswertung, und eine aufmerksame Versuchsperson mit Fehlern in 5 % der Kontrolldurchgänge wird mit einer Wahrscheinlichkeit von %3 ausgeschlossen; eine andere Grenze oder mehr Kontrolldurchgänge angeben (einen kleineren Wert von %4)</translation>
+    </message>
+    <message>
+        <source>a session has at most %1 catch trials: a participant who guesses in all of them stays in the analysis with a probability of %2, and an attentive participant with errors in 5 % of them is excluded with a probability of %3; state another limit, or more catch trials (a smaller %4)</source>
+        <translation>eine Sitzung hat höchstens %1 Kontrolldurchgänge: Eine Versuchsperson, die in allen rät, bleibt mit einer Wahrscheinlichkeit von %2 in der Auswertung, und eine aufmerksame Versuchsperson mit Fehlern in 5 % davon wird mit einer Wahrscheinlichkeit von %3 ausgeschlossen; eine andere Grenze oder mehr Kontrolldurchgänge angeben (einen kleineren Wert von %4)</translation>
+    </message>
+    <message>
+        <source>a configuration in %1 dimensions requires at least %2 surfaces, and this protocol compares %3; add surfaces, or interpret only the dissimilarities and the dendrogram</source>
+        <translation>eine Konfiguration in %1 Dimensionen erfordert mindestens %2 Oberflächen, und dieses Protokoll vergleicht %3; Oberflächen ergänzen oder nur die Unähnlichkeiten und das Dendrogramm interpretieren</translation>
+    </message>
+    <message>
+        <source>every trial presents the same surface, so that no ratings can be compared; cross or list a factor with the textures, models or parameters to be rated</source>
+        <translation>jeder Durchgang bietet dieselbe Oberfläche dar, sodass keine Beurteilungen verglichen werden können; einen Faktor mit den Texturen, Kraftmodellen oder Parametern, die beurteilt werden sollen, kreuzen oder aufführen</translation>
+    </message>
+    <message>
+        <source>the predictor %1 is computed from the recordings, so that there would be no exponent; set this to true</source>
+        <translation>der Prädiktor %1 wird aus den Aufzeichnungen berechnet, sodass es keinen Exponenten gäbe; diese Einstellung auf true setzen</translation>
+    </message>
+    <message>
+        <source>no stimulus, exploration or question uses the factor %1, so that its levels repeat the same trials; use it, or remove it and state repetitions</source>
+        <translation>kein Reiz, keine Exploration und keine Frage verwendet den Faktor %1, sodass seine Stufen dieselben Durchgänge wiederholen; ihn verwenden oder ihn entfernen und Wiederholungen angeben</translation>
+    </message>
+    <message>
+        <source>all thresholds of the prior are below the smallest difference of the levels from the standard, so that the procedure cannot find a threshold within the levels; state a range that contains the expected threshold</source>
+        <translation>alle Schwellen der A-priori-Verteilung liegen unter der kleinsten Differenz der Stufen zum Standardreiz, sodass das Verfahren keine Schwelle innerhalb der Stufen finden kann; einen Bereich angeben, der die erwartete Schwelle enthält</translation>
+    </message>
+    <message>
+        <source>all thresholds of the prior are above the largest difference of the levels from the standard, so that the procedure cannot find a threshold within the levels; state a range that contains the expected threshold</source>
+        <translation>alle Schwellen der A-priori-Verteilung liegen über der größten Differenz der Stufen zum Standardreiz, sodass das Verfahren keine Schwelle innerhalb der Stufen finden kann; einen Bereich angeben, der die erwartete Schwelle enthält</translation>
+    </message>
+    <message>
+        <source>with %1 parts, the pairs of a participant need not connect all %2 levels of %3; state fewer than half as many parts as levels, at most %4</source>
+        <translation>bei %1 Teilen verbinden die Paare einer Versuchsperson nicht unbedingt alle %2 Stufen von %3; weniger als halb so viele Teile wie Stufen angeben, höchstens %4</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>set %1 to %2, since they are drawn for each trial</source>
+        <translation>die Einstellung %1 auf %2 setzen, da die Positionen für jeden Durchgang ausgelost werden</translation>
+    </message>
+    <message>
+        <source>remove %1, which can end the block after any trial</source>
+        <translation>die Einstellung %1 entfernen, die den Block nach jedem Durchgang beenden kann</translation>
+    </message>
+    <message>
+        <source>state %1 in place of %2, whose trials are dealt positions over all levels together</source>
+        <translation>%1 anstelle von %2 angeben, da ein Verfahren die Positionen über alle Stufen gemeinsam verteilt</translation>
+    </message>
+    <message>
+        <source>set the repetitions so that each combination of levels has a multiple of %1 trials, the number of surfaces</source>
+        <translation>die Wiederholungen so wählen, dass die Anzahl der Durchgänge jeder Stufenkombination ein Vielfaches von %1 ist, der Anzahl der Oberflächen</translation>
+    </message>
+    <message>
+        <source>positions need not be balanced within each level, so that a level can have the comparison more often in one position: %1</source>
+        <translation>die Positionen sind innerhalb der Stufen nicht unbedingt ausbalanciert, sodass bei einer Stufe der Vergleichsreiz häufiger an einer Position sein kann: %1</translation>
+    </message>
+    <message>
+        <source>the scale %1 has %2 in block %3 than in block %4, and the responses are stored under one name; state the same wording and scale in both, or another name</source>
+        <translation>die Skala %1 hat im Block %3 %2 als im Block %4, und die Antworten werden unter einem Namen gespeichert; in beiden denselben Wortlaut und dieselbe Skala oder einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>another question</source>
+        <translation>eine andere Frage</translation>
+    </message>
+    <message>
+        <source>other labels</source>
+        <translation>andere Beschriftungen</translation>
+    </message>
+    <message>
+        <source>other points</source>
+        <translation>andere Punkte</translation>
+    </message>
+    <message>
+        <source>a run of the block %1 has %2 trial, so that there is no break after %3; state a smaller number, or remove the key</source>
+        <translation>ein Lauf des Blocks %1 hat %2 Durchgang, sodass es nach %3 keine Pause gibt; eine kleinere Zahl angeben oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a run of the block %1 has %2 trials, so that there is no break after %3; state a smaller number, or remove the key</source>
+        <translation>ein Lauf des Blocks %1 hat %2 Durchgänge, sodass es nach %3 keine Pause gibt; eine kleinere Zahl angeben oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>a run of the block %1 takes about %2 min of contact, so that there is no break after %3 min; state a smaller number, or remove the key</source>
+        <translation>ein Lauf des Blocks %1 hat etwa %2 min Kontaktzeit, sodass es nach %3 min keine Pause gibt; eine kleinere Zahl angeben oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>matching roughness takes about %1 min of each participant, more than %2 min, after which the comparison itself has still to be made; reduce the trials of a track, the stimuli or the exploration</source>
+        <translation>das Angleichen der Rauheit dauert bei jeder Versuchsperson etwa %1 min, mehr als %2 min, und danach steht der eigentliche Vergleich noch aus; die Durchgänge einer Folge (Track), die Reize oder die Exploration verringern</translation>
+    </message>
+    <message>
+        <source>a practice block has at most %1 trial, so that no more can be repeated when a session is resumed; state %1 or fewer</source>
+        <translation>ein Übungsblock hat höchstens %1 Durchgang, und nur so viele können beim Fortsetzen einer Sitzung wiederholt werden; höchstens %1 angeben</translation>
+    </message>
+    <message>
+        <source>a practice block has at most %1 trials, so that no more can be repeated when a session is resumed; state %1 or fewer</source>
+        <translation>ein Übungsblock hat höchstens %1 Durchgänge, und nur so viele können beim Fortsetzen einer Sitzung wiederholt werden; höchstens %1 angeben</translation>
+    </message>
+    <message>
+        <source>there is no block of familiarisation or practice</source>
+        <translation>es gibt keinen Block zum Kennenlernen oder Üben</translation>
+    </message>
+    <message>
+        <source>no question has a scale</source>
+        <translation>keine Frage hat eine Skala</translation>
+    </message>
+    <message>
+        <source>no question is answered on a line</source>
+        <translation>keine Frage wird auf einer Linie beantwortet</translation>
+    </message>
+    <message>
+        <source>no picture is shown</source>
+        <translation>es wird kein Bild gezeigt</translation>
+    </message>
+    <message>
+        <source>the flow has no break</source>
+        <translation>der Ablauf hat keine Pause</translation>
+    </message>
+    <message>
+        <source>no question has this option (%1)</source>
+        <translation>keine Frage hat diese Antwortmöglichkeit (%1)</translation>
+    </message>
+    <message>
+        <source>the text states %1, but %2</source>
+        <translation>der Text nennt %1, aber %2</translation>
+    </message>
+    <message>
+        <source>, or write %1</source>
+        <translation> oder %1 schreiben</translation>
+    </message>
+    <message>
+        <source>a session takes about %1 minutes by estimate; correct the text%2</source>
+        <translation>eine Sitzung dauert nach der Schätzung etwa %1 Minuten; den Text berichtigen%2</translation>
+    </message>
+    <message>
+        <source>the design has no %1; correct the text</source>
+        <translation>das Design hat keine %1; den Text berichtigen</translation>
+    </message>
+    <message>
+        <source>the number of %1 is %2; correct the text%3</source>
+        <translation>die Anzahl der %1 ist %2; den Text berichtigen%3</translation>
+    </message>
+    <message>
+        <source>the text mentions %1, but %2; change the text or the design</source>
+        <translation>der Text erwähnt %1, aber %2; den Text oder das Design ändern</translation>
+    </message>
+    <message>
+        <source>no block uses the exploration %1; name it in a block, or remove it</source>
+        <translation>kein Block verwendet die Exploration %1; sie in einem Block angeben oder entfernen</translation>
+    </message>
+    <message>
+        <source>no trial is repeated because of its force or speed while %1 is 0: state the fraction that has to lie in the bands, such as %2</source>
+        <translation>solange die Einstellung %1 den Wert 0 hat, wird kein Durchgang wegen seiner Kraft oder Geschwindigkeit wiederholt: den Anteil angeben, der in den Sollbereichen liegen muss, zum Beispiel %2</translation>
+    </message>
+    <message>
+        <source>%1 m/s is faster than a hand strokes; request a slower stroke%2</source>
+        <translation>%1 m/s ist schneller, als eine Hand streicht; einen langsameren Strich verlangen%2</translation>
+    </message>
+    <message>
+        <source>%1 stroke of %2 m at %3 m/s does not fit into the %4 s after which the surface is removed; raise %5, or request fewer strokes</source>
+        <translation>%1 Strich von %2 m mit %3 m/s passt nicht in die Zeit von %4 s, nach der die Oberfläche entfernt wird; die Einstellung %5 erhöhen oder weniger Striche verlangen</translation>
+    </message>
+    <message>
+        <source>%1 strokes of %2 m at %3 m/s do not fit into the %4 s after which the surface is removed; raise %5, or request fewer strokes</source>
+        <translation>%1 Striche von %2 m mit %3 m/s passen nicht in die Zeit von %4 s, nach der die Oberfläche entfernt wird; die Einstellung %5 erhöhen oder weniger Striche verlangen</translation>
+    </message>
+    <message>
+        <source>the text mentions %1, but the hand is guided by tones, and no bar is shown; change the text or the guidance</source>
+        <translation>der Text erwähnt %1, aber die Hand wird durch Töne geführt, und es wird kein Balken gezeigt; den Text oder die Führung ändern</translation>
+    </message>
+    <message>
+        <source>the text mentions %1, but the hand is guided by sight, and no tone is played; change the text or the guidance</source>
+        <translation>der Text erwähnt %1, aber die Hand wird durch eine Anzeige geführt, und es wird kein Ton gespielt; den Text oder die Führung ändern</translation>
+    </message>
+    <message>
+        <source>participants of the group %1 read no screen, while those of another group do: add a screen for them</source>
+        <translation>die Versuchspersonen der Gruppe %1 lesen keinen Text, die einer anderen Gruppe dagegen schon: einen Text für sie ergänzen</translation>
+    </message>
+    <message>
+        <source>the levels converge on %1 %, but the point of subjective equality lies at 50 %: state a rule with equal numbers of responses and steps in both directions (%2: 1, %3: 1), or constant stimuli</source>
+        <translation>die Stufen konvergieren auf %1 %, aber der Punkt der subjektiven Gleichheit liegt bei 50 %: eine Regel mit gleich vielen Antworten und gleichen Schritten in beiden Richtungen (%2: 1, %3: 1) oder konstante Reize angeben</translation>
+    </message>
+    <message>
+        <source>participants practise with feedback at the level %1, which the block %2 measures; practise at levels between or beyond those that are measured</source>
+        <translation>Versuchspersonen üben mit Rückmeldung auf der Stufe %1, die der Block %2 misst; auf Stufen zwischen den gemessenen oder jenseits davon üben lassen</translation>
+    </message>
+    <message>
+        <source>participants practise with feedback at the levels %1, which the block %2 measures; practise at levels between or beyond those that are measured</source>
+        <translation>Versuchspersonen üben mit Rückmeldung auf den Stufen %1, die der Block %2 misst; auf Stufen zwischen den gemessenen oder jenseits davon üben lassen</translation>
+    </message>
+    <message>
+        <source>the alternatives differ in %1 alone: the analysis of a selection tests how often each level is chosen, not whether levels can be discriminated; for a threshold, use a block of the kind %2</source>
+        <translation>die Alternativen unterscheiden sich nur in %1: Die Auswertung einer Auswahl testet, wie oft jede Stufe gewählt wird, nicht, ob Stufen unterschieden werden können; für eine Schwelle einen Block der Art %2 verwenden</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 sind %2</translation>
+    </message>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1, und %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be %3</source>
+        <translation>%1 ist %2; zulässig ist %3</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be written without quotation marks, as %3</source>
+        <translation>%1 ist %2; zulässig ist %3, ohne Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be %3%4</source>
+        <translation>%1 ist %2; zulässig ist %3%4</translation>
+    </message>
+    <message>
+        <source>with coefficient_1 to coefficient_4 = %1 the friction grows without limit along the path. Choose coefficients whose roots are inside the unit circle; of order 2: |coefficient_2| &lt; 1 and |coefficient_1| &lt; 1 - coefficient_2.</source>
+        <translation>mit coefficient_1 bis coefficient_4 = %1 wächst die Reibung entlang des Wegs unbegrenzt. Koeffizienten wählen, deren Wurzeln innerhalb des Einheitskreises liegen; bei Ordnung 2: |coefficient_2| &lt; 1 und |coefficient_1| &lt; 1 - coefficient_2.</translation>
+    </message>
+    <message>
+        <source>%1 is 0 and %2 is %3; a wave needs %1 &gt; 0, or %2 &gt; 0.</source>
+        <translation>%1 ist 0 und %2 ist %3; eine Welle erfordert %1 &gt; 0 oder %2 &gt; 0.</translation>
+    </message>
+    <message>
+        <source>The terms %1 and %2 are the same wave; give it once, with the sum of the amplitudes.</source>
+        <translation>Die Terme %1 und %2 sind dieselbe Welle; sie einmal angeben, mit der Summe der Amplituden.</translation>
+    </message>
+    <message>
+        <source>step_m is %1 and cell_m %2; step_m must be 1, 2, 4 or 8 times cell_m, here %2, %3, %4 or %5.</source>
+        <translation>step_m ist %1 und cell_m %2; step_m muss das 1-, 2-, 4- oder 8-Fache von cell_m sein, hier %2, %3, %4 oder %5.</translation>
+    </message>
+    <message>
+        <source>most_samples is %1; with a step of %2 cell it must be at least %3.</source>
+        <translation>most_samples ist %1; bei einem Schritt von %2 Zelle muss es mindestens %3 sein.</translation>
+    </message>
+    <message>
+        <source>most_samples is %1; with a step of %2 cells it must be at least %3.</source>
+        <translation>most_samples ist %1; bei einem Schritt von %2 Zellen muss es mindestens %3 sein.</translation>
+    </message>
+    <message>
+        <source>a loop set to %1 Hz cannot reach %2 Hz: the limit must be at most %3, the requested rate</source>
+        <translation>eine auf %1 Hz eingestellte Schleife kann %2 Hz nicht erreichen: Der Grenzwert darf höchstens %3 betragen, die verlangte Rate</translation>
+    </message>
+    <message>
+        <source>the factor %1 is already declared under %2; state another name as %3 here, or remove that factor</source>
+        <translation>der Faktor %1 ist bereits unter %2 angegeben; hier einen anderen Namen als %3 angeben oder jenen Faktor entfernen</translation>
+    </message>
+    <message>
+        <source>vibration above 150 Hz cannot be judged at a servo rate of %1 Hz: set %2 above 300, or remove this key</source>
+        <translation>Schwingungen oberhalb von 150 Hz können bei einer Rate der Servoschleife von %1 Hz nicht beurteilt werden: %2 auf mehr als 300 setzen oder diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>the band reaches %1 N, but the force limit is %2 N (%3); lower the force or raise the limit%4</source>
+        <translation>der Sollbereich reicht bis %1 N, aber die Kraftgrenze ist %2 N (%3); die Kraft verringern oder die Grenze erhöhen%4</translation>
+    </message>
+    <message>
+        <source>%1 N exceeds the force limit of %2 N (%3); lower the force or raise the limit</source>
+        <translation>%1 N liegt über der Kraftgrenze von %2 N (%3); die Kraft verringern oder die Grenze erhöhen</translation>
+    </message>
+    <message>
+        <source>a tick of the force model %1 takes longer than a period at the %2 Hz of %3: set it to at most %4, or choose another model</source>
+        <translation>ein Takt des Kraftmodells %1 dauert länger als eine Periode bei den %2 Hz von %3: diese Einstellung auf höchstens %4 setzen oder ein anderes Kraftmodell wählen</translation>
+    </message>
+    <message>
+        <source>without a predictor there is no exponent; state a %1 under %2, or remove this test</source>
+        <translation>ohne Prädiktor gibt es keinen Exponenten; unter %2 die Einstellung %1 angeben oder diesen Test entfernen</translation>
+    </message>
+    <message>
+        <source>a standard is a level of a factor under %1, and %2 is not one; declare it there, or set the modulus to %3</source>
+        <translation>ein Standardreiz ist eine Stufe eines Faktors unter %1, und %2 ist keiner; ihn dort ergänzen oder den Modulus auf %3 setzen</translation>
+    </message>
+    <message>
+        <source>a magnitude estimation presents exactly one surface per trial; list one here, or state the number of a standard under %1</source>
+        <translation>eine Größenschätzung bietet genau eine Oberfläche je Durchgang dar; hier eine aufführen, oder unter %1 die Zahl eines Standardreizes angeben</translation>
+    </message>
+    <message>
+        <source>without a modulus the surface of a trial is the estimated one; write %1, or state the number of a standard under %2</source>
+        <translation>ohne Modulus ist die Oberfläche eines Durchgangs die geschätzte; %1 angeben, oder unter %2 die Zahl eines Standardreizes angeben</translation>
+    </message>
+    <message>
+        <source>the standard has a number, to which a line without a number cannot be compared; remove this key, or set %1 to %2</source>
+        <translation>der Standardreiz hat eine Zahl, mit der eine Linie ohne Zahl nicht verglichen werden kann; diese Einstellung entfernen oder %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>no eye mask is worn (%1)</source>
+        <translation>es wird keine Augenbinde getragen (%1)</translation>
+    </message>
+    <message>
+        <source>%1 N leaves little room below the device&apos;s limit of %2 N: a texture&apos;s crests exceed it and are clipped; set %3 N or less, or raise %4</source>
+        <translation>%1 N lässt wenig Spielraum bis zur Kraftgrenze des Geräts von %2 N: Die Kämme einer Textur überschreiten sie und werden abgeschnitten; höchstens %3 N angeben oder %4 erhöhen</translation>
+    </message>
+    <message>
+        <source>these properties of %1, which %2 models, are unknown: %3; no stimulus was compared with them. Measure the real device as soon as it is available</source>
+        <translation>diese Eigenschaften von %1, das durch %2 nachgebildet wird, sind unbekannt: %3; kein Reiz wurde mit ihnen verglichen. Das wirkliche Gerät messen, sobald es verfügbar ist</translation>
+    </message>
+    <message>
+        <source>the attached device %1</source>
+        <translation>dem angeschlossenen Gerät %1</translation>
+    </message>
+    <message>
+        <source>the profile has no value for %1; no stimulus was compared with the missing values. Measure the device again</source>
+        <translation>das Profil hat keinen Wert für %1; kein Reiz wurde mit den fehlenden Werten verglichen. Das Gerät erneut messen</translation>
+    </message>
+    <message>
+        <source>the profile is dated %1, which is in the future; correct the clock of the computer, and measure the device again</source>
+        <translation>das Profil trägt das Datum %1, das in der Zukunft liegt; die Uhr des Rechners stellen und das Gerät erneut messen</translation>
+    </message>
+    <message>
+        <source>except for friction and position steps, </source>
+        <translation>abgesehen von Reibung und Positionsschritten </translation>
+    </message>
+    <message>
+        <source>except for friction, </source>
+        <translation>abgesehen von der Reibung </translation>
+    </message>
+    <message>
+        <source>except for the friction of some stimuli and position steps, </source>
+        <translation>abgesehen von der Reibung einiger Reize und den Positionsschritten </translation>
+    </message>
+    <message>
+        <source>except for the friction of some stimuli, </source>
+        <translation>abgesehen von der Reibung einiger Reize </translation>
+    </message>
+    <message>
+        <source>except for position steps, </source>
+        <translation>abgesehen von den Positionsschritten </translation>
+    </message>
+    <message>
+        <source>there is no device %1; choose one of: %2</source>
+        <translation>es gibt kein Gerät %1; eines von diesen wählen: %2</translation>
+    </message>
+    <message>
+        <source>no session can start on %1 at present: %2</source>
+        <translation>mit %1 kann derzeit keine Sitzung beginnen: %2</translation>
+    </message>
+    <message>
+        <source>%1no stimulus was compared with %2: the profile of a device is stored in a study; name the study with --study DIR</source>
+        <translation>mit %2 wurde %1kein Reiz verglichen: das Profil eines Geräts wird in einer Studie gespeichert; die Studie mit --study DIR angeben</translation>
+    </message>
+    <message>
+        <source>the study has no profile of %1: %2no stimulus and no limit of the protocol was compared with it; measure the device with %3</source>
+        <translation>die Studie hat kein Profil von %1: mit ihm wurden %2kein Reiz und keine Grenze des Protokolls verglichen; das Gerät mit %3 messen</translation>
+    </message>
+    <message>
+        <source>%1 exerts no force: no stimulus was compared with it; to compare them, name a device with motors</source>
+        <translation>%1 übt keine Kraft aus: kein Reiz wurde damit verglichen; zum Vergleich ein Gerät mit Motoren angeben</translation>
+    </message>
+    <message>
+        <source>this translation belongs to the protocol %1, which is not in the same folder</source>
+        <translation>diese Übersetzung gehört zum Protokoll %1, das nicht im selben Ordner liegt</translation>
+    </message>
+    <message>
+        <source>%1 in the name of this file is not a language; name it by a BCP 47 tag, such as %2.de.json</source>
+        <translation>%1 im Namen dieser Datei ist keine Sprache; die Sprache mit ihrem Kürzel nach BCP 47 angeben, zum Beispiel %2.de.json</translation>
+    </message>
+    <message>
+        <source>the protocol %1 is in the language %2 itself; name the translation after another language</source>
+        <translation>das Protokoll %1 ist selbst in der Sprache %2; die Übersetzung nach einer anderen Sprache benennen</translation>
+    </message>
+    <message>
+        <source>this is not a rendering; a rendering is an object {…} that begins with &quot;format&quot;: &quot;asperity.rendering/1&quot;</source>
+        <translation>dies ist keine Wiedergabe; eine Wiedergabe ist ein Objekt {…}, das mit &quot;format&quot;: &quot;asperity.rendering/1&quot; beginnt</translation>
+    </message>
+    <message>
+        <source>this version reads %1, not %2; use the version of Asperity that wrote the file, or save the rendering again in the workbench of this one</source>
+        <translation>diese Version liest %1, nicht %2; die Version von Asperity verwenden, die die Datei geschrieben hat, oder die Wiedergabe in der Werkstatt dieser Version neu speichern</translation>
+    </message>
+    <message>
+        <source>there is no surface %1</source>
+        <translation>es gibt keine Oberfläche %1</translation>
+    </message>
+    <message>
+        <source>the key %1 occurs already in this object; choose another name</source>
+        <translation>die Einstellung %1 kommt in diesem Objekt schon vor; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>this is a list; name an object {…}</source>
+        <translation>dies ist eine Liste; ein Objekt {…} angeben</translation>
+    </message>
+    <message>
+        <source>this is an object; name a list […]</source>
+        <translation>dies ist ein Objekt; eine Liste […] angeben</translation>
+    </message>
+    <message>
+        <source>there is no position %1 here; choose one from 0 to %2</source>
+        <translation>hier gibt es keine Position %1; eine von 0 bis %2 wählen</translation>
+    </message>
+    <message>
+        <source>the protocol does not declare %1 in %2, so that it cannot be renamed</source>
+        <translation>das Protokoll deklariert %1 nicht unter „%2“; der Name lässt sich daher nicht ändern</translation>
+    </message>
+    <message>
+        <source>the name %1 is used here; choose another name</source>
+        <translation>der Name %1 wird hier schon verwendet; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1 is not a name: use lower-case letters, digits and underscores, starting with a letter</source>
+        <translation>%1 ist kein Name: erlaubt sind Kleinbuchstaben (ohne Umlaute), Ziffern und Unterstriche, beginnend mit einem Buchstaben</translation>
+    </message>
+    <message>
+        <source>this value has no entries; name an object {…} or a list […]</source>
+        <translation>dieser Wert hat keine Einträge; ein Objekt {…} oder eine Liste […] angeben</translation>
+    </message>
+    <message>
+        <source>there is no value here; name one that the text contains</source>
+        <translation>hier steht kein Wert; einen angeben, den der Text enthält</translation>
+    </message>
+    <message>
+        <source>the complete document is not an entry; name a member or an entry of a list</source>
+        <translation>das ganze Dokument ist kein Eintrag; eine Einstellung oder einen Eintrag einer Liste angeben</translation>
+    </message>
+    <message>
+        <source>a form cannot add an entry here; add it in the text</source>
+        <translation>das Formular kann hier keinen Eintrag hinzufügen; ihn im Text ergänzen</translation>
+    </message>
+    <message>
+        <source>no stimulus, level, question or body uses the texture %1; use it, or remove it</source>
+        <translation>kein Reiz, keine Stufe, keine Frage und kein Körper verwendet die Textur %1; sie verwenden oder entfernen</translation>
+    </message>
+    <message>
+        <source>the listed trials %1 and %2 have the same levels, so that this trial is presented twice; change a level, or remove one of them and state the number of its repetitions</source>
+        <translation>die aufgeführten Durchgänge %1 und %2 haben dieselben Stufen, sodass dieser Durchgang zweimal dargeboten wird; eine Stufe ändern, oder einen von beiden entfernen und die Zahl seiner Wiederholungen angeben</translation>
+    </message>
+    <message>
+        <source>under %1 N the tip sinks in by %2 mm, %3 times the contact radius of %4 mm; elastic_halfspace assumes small strains, at most %5 times: raise youngs_modulus_Pa or tip_radius_m, or request less force</source>
+        <translation>unter %1 N sinkt die Spitze um %2 mm ein, das %3-Fache des Kontaktradius von %4 mm; elastic_halfspace setzt kleine Dehnungen voraus, höchstens das %5-Fache: youngs_modulus_Pa oder tip_radius_m vergrößern oder weniger Kraft verlangen</translation>
+    </message>
+    <message>
+        <source>the study has %1 of %2 with another text of the protocol; their responses would be analysed together with new ones; give the changed protocol a new version</source>
+        <translation>die Studie hat %1 von %2 mit einem anderen Text des Protokolls; deren Antworten würden zusammen mit neuen ausgewertet; dem geänderten Protokoll eine neue Version geben</translation>
+    </message>
+    <message>
+        <source>the block %1 does not match roughness: state the parameter %3 under %2 of it, or name another block</source>
+        <translation>der Block %1 gleicht keine Rauheit an: dort unter %2 den Parameter %3 angeben oder einen anderen Block nennen</translation>
+    </message>
+    <message>
+        <source>%1 would be matched with itself: it is the reference; list it under %2</source>
+        <translation>%1 würde an sich selbst angeglichen: Er ist die Referenz; ihn unter %2 auslassen</translation>
+    </message>
+    <message>
+        <source>the condition must be constant within a block: run this block %1 level of %2 instead of mixing the levels</source>
+        <translation>die Bedingung muss innerhalb eines Blocks konstant sein: diesen Block mit %1 einmal je Stufe von %2 ablaufen lassen, statt die Stufen zu mischen</translation>
+    </message>
+    <message>
+        <source>this main block does not set the condition %1: run the block %2 level of the condition</source>
+        <translation>dieser Hauptblock legt die Bedingung %1 nicht fest: den Block mit %2 einmal je Stufe der Bedingung ablaufen lassen</translation>
     </message>
 </context>
 <context>
@@ -11712,6 +15333,10 @@
         <source>Warnings about the stimuli</source>
         <translation>Warnungen zu den Reizen</translation>
     </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>SessionEnd</name>
@@ -12028,6 +15653,813 @@
     </message>
 </context>
 <context>
+    <name>Stimuli</name>
+    <message>
+        <source>Make the height field again.</source>
+        <translation>Das Höhenfeld neu erzeugen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object in the format %2.</source>
+        <translation>%1 ist kein JSON-Objekt im Format %2.</translation>
+    </message>
+    <message>
+        <source>%1 has the key &quot;%2&quot; twice in one object.</source>
+        <translation>%1 enthält die Einstellung „%2“ zweimal in einem Objekt.</translation>
+    </message>
+    <message>
+        <source>%1 has the format &quot;%2&quot;; this program reads %3.</source>
+        <translation>%1 hat das Format „%2“; dieses Programm liest %3.</translation>
+    </message>
+    <message>
+        <source>%1 needs a number %2, in metres, of at most 1.</source>
+        <translation>%1 braucht eine Zahl %2 in Metern, höchstens 1.</translation>
+    </message>
+    <message>
+        <source>%1 needs an object provenance.</source>
+        <translation>%1 braucht ein Objekt provenance.</translation>
+    </message>
+    <message>
+        <source>%1 has a provenance seed that is not a whole number.</source>
+        <translation>%1 hat in provenance einen Startwert (seed), der keine ganze Zahl ist.</translation>
+    </message>
+    <message>
+        <source>%1 needs an object provenance/parameters.</source>
+        <translation>%1 braucht ein Objekt provenance/parameters.</translation>
+    </message>
+    <message>
+        <source>%1 has a provenance parameter %2 that is neither a number nor a string.</source>
+        <translation>%1 hat in provenance einen Parameter %2, der weder Zahl noch Text ist.</translation>
+    </message>
+    <message>
+        <source>%1 needs a string &quot;%2&quot;.</source>
+        <translation>%1 braucht einen Text „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 has a pitch_m that is not positive.</source>
+        <translation>%1 hat ein pitch_m, das nicht positiv ist.</translation>
+    </message>
+    <message>
+        <source>%1 has a height_max_m below its height_min_m.</source>
+        <translation>%1 hat ein height_max_m unter seinem height_min_m.</translation>
+    </message>
+    <message>
+        <source>%1 is not a 16-bit greyscale PNG, as a height field must be.</source>
+        <translation>%1 ist kein Graustufen-PNG mit 16 Bit, wie es ein Höhenfeld sein muss.</translation>
+    </message>
+    <message>
+        <source>No wavelength of this noise fits into the surface; increase width_m or pixels.</source>
+        <translation>Keine Wellenlänge dieses Rauschens passt in die Oberfläche; width_m oder pixels erhöhen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m, but %3 pixels over %4 m do not resolve lengths below %5 m; increase pixels.</source>
+        <translation>%1 beträgt %2 m, aber %3 Abtastwerte (pixels) auf %4 m lösen Längen unter %5 m nicht auf; pixels erhöhen.</translation>
+    </message>
+    <message>
+        <source>brushed metal: fine scratches along y</source>
+        <translation>gebürstetes Metall: feine Kratzer entlang y</translation>
+    </message>
+    <message>
+        <source>RMS of the heights</source>
+        <translation>Effektivwert der Höhen</translation>
+    </message>
+    <message>
+        <source>most frequent distance between neighbouring scratches</source>
+        <translation>häufigster Abstand zwischen benachbarten Kratzern</translation>
+    </message>
+    <message>
+        <source>length over which a scratch keeps its direction</source>
+        <translation>Länge, über die ein Kratzer seine Richtung behält</translation>
+    </message>
+    <message>
+        <source>rough stone: isotropic relief of every wavelength up to 6 mm, with pits</source>
+        <translation>rauer Stein: isotropes Relief aller Wellenlängen bis 6 mm, mit Gruben</translation>
+    </message>
+    <message>
+        <source>RMS of the relief, without the pits</source>
+        <translation>Effektivwert des Reliefs, ohne die Gruben</translation>
+    </message>
+    <message>
+        <source>exponent of its power spectral density</source>
+        <translation>Exponent seiner spektralen Leistungsdichte</translation>
+    </message>
+    <message>
+        <source>depth of the deepest pits</source>
+        <translation>Tiefe der tiefsten Gruben</translation>
+    </message>
+    <message>
+        <source>worn plank: growth rings along y, with fine pores</source>
+        <translation>abgenutztes Brett: Jahresringe entlang y, mit feinen Poren</translation>
+    </message>
+    <message>
+        <source>distance from ring to ring</source>
+        <translation>Abstand von Ring zu Ring</translation>
+    </message>
+    <message>
+        <source>height from earlywood to latewood</source>
+        <translation>Höhe vom Frühholz bis zum Spätholz</translation>
+    </message>
+    <message>
+        <source>RMS of the rings&apos; displacement along x</source>
+        <translation>Effektivwert der Verschiebung der Ringe entlang x</translation>
+    </message>
+    <message>
+        <source>RMS of the pores&apos; relief</source>
+        <translation>Effektivwert des Reliefs der Poren</translation>
+    </message>
+    <message>
+        <source>small bricks in running bond with recessed mortar joints and rough faces</source>
+        <translation>kleine Ziegel im Läuferverband mit zurückliegenden Mörtelfugen und rauen Sichtflächen</translation>
+    </message>
+    <message>
+        <source>length of a brick, including one joint</source>
+        <translation>Länge eines Ziegels, einschließlich einer Fuge</translation>
+    </message>
+    <message>
+        <source>height of a course, including one joint</source>
+        <translation>Höhe einer Schicht, einschließlich einer Fuge</translation>
+    </message>
+    <message>
+        <source>width of the mortar joints</source>
+        <translation>Breite der Mörtelfugen</translation>
+    </message>
+    <message>
+        <source>depth of the mortar below the faces</source>
+        <translation>Tiefe des Mörtels unter den Sichtflächen</translation>
+    </message>
+    <message>
+        <source>RMS of the faces&apos; relief</source>
+        <translation>Effektivwert des Reliefs der Sichtflächen</translation>
+    </message>
+    <message>
+        <source>coarse sandpaper: round grains of several sizes, close together</source>
+        <translation>grobes Schleifpapier: runde Körner verschiedener Größen, dicht beieinander</translation>
+    </message>
+    <message>
+        <source>mean distance between grains</source>
+        <translation>mittlerer Abstand zwischen Körnern</translation>
+    </message>
+    <message>
+        <source>height of the largest grains</source>
+        <translation>Höhe der größten Körner</translation>
+    </message>
+    <message>
+        <source>grating: ridge_width_m and two flank_width_m together are wider than spacing_m; make them narrower or the spacing wider.</source>
+        <translation>grating: ridge_width_m und zwei flank_width_m sind zusammen breiter als spacing_m; sie schmaler oder den Abstand größer machen.</translation>
+    </message>
+    <message>
+        <source>cones: rows at angle_rad %1 do not continue across the borders: the width contains %2 spacings of a row along x and %3 along y, which must be whole numbers; choose for example angle_rad 0.643501 (3 to 4) and a width of a multiple of five spacings.</source>
+        <translation>cones: Reihen mit angle_rad %1 setzen sich nicht über die Ränder fort: Die Breite enthält %2 Abstände einer Reihe entlang x und %3 entlang y; beide müssen ganze Zahlen sein; zum Beispiel angle_rad 0.643501 (3 zu 4) und als Breite ein Vielfaches von fünf Abständen wählen.</translation>
+    </message>
+    <message>
+        <source>cones: top_diameter_m is not smaller than base_diameter_m; make it smaller.</source>
+        <translation>cones: top_diameter_m ist nicht kleiner als base_diameter_m; es verkleinern.</translation>
+    </message>
+    <message>
+        <source>noise: shortest_wavelength_m is not shorter than longest_wavelength_m; make it shorter.</source>
+        <translation>noise: shortest_wavelength_m ist nicht kürzer als longest_wavelength_m; es verkürzen.</translation>
+    </message>
+    <message>
+        <source>A: half the height from trough to crest</source>
+        <translation>A: halbe Höhe vom Tal bis zum Kamm</translation>
+    </message>
+    <message>
+        <source>L: distance from crest to crest</source>
+        <translation>L: Abstand von Kamm zu Kamm</translation>
+    </message>
+    <message>
+        <source>θ: direction across the crests, from +x towards +y</source>
+        <translation>θ: Richtung quer zu den Kämmen, von +x nach +y</translation>
+    </message>
+    <message>
+        <source>straight ridges along y with flat tops and straight flanks; a ridge at x = 0</source>
+        <translation>gerade Stege entlang y mit flacher Oberseite und geraden Flanken; ein Steg bei x = 0</translation>
+    </message>
+    <message>
+        <source>distance from ridge to ridge</source>
+        <translation>Abstand von Steg zu Steg</translation>
+    </message>
+    <message>
+        <source>height from groove to top</source>
+        <translation>Höhe von der Rille bis oben</translation>
+    </message>
+    <message>
+        <source>width of the flat top</source>
+        <translation>Breite der flachen Oberseite</translation>
+    </message>
+    <message>
+        <source>width of one flank, along x</source>
+        <translation>Breite einer Flanke, entlang x</translation>
+    </message>
+    <message>
+        <source>truncated cones on a square lattice, shifted at random (dithered)</source>
+        <translation>Kegelstümpfe auf einem quadratischen Gitter, zufällig verschoben (Dithering)</translation>
+    </message>
+    <message>
+        <source>distance between neighbouring cones</source>
+        <translation>Abstand zwischen benachbarten Kegeln</translation>
+    </message>
+    <message>
+        <source>height of a cone</source>
+        <translation>Höhe eines Kegels</translation>
+    </message>
+    <message>
+        <source>diameter of the flat top</source>
+        <translation>Durchmesser der flachen Oberseite</translation>
+    </message>
+    <message>
+        <source>diameter of the base</source>
+        <translation>Durchmesser der Grundfläche</translation>
+    </message>
+    <message>
+        <source>largest shift along and across the rows, as a fraction of the spacing</source>
+        <translation>größte Verschiebung längs und quer zu den Reihen, als Anteil des Abstands</translation>
+    </message>
+    <message>
+        <source>direction of the rows, from +x towards +y; the rows must continue across the borders (0.643501, 3 to 4, on a multiple of five spacings)</source>
+        <translation>Richtung der Reihen, von +x nach +y; die Reihen müssen sich über die Ränder fortsetzen (0,643501, 3 zu 4, auf einem Vielfachen von fünf Abständen)</translation>
+    </message>
+    <message>
+        <source>isotropic Gaussian noise of power spectral density (per area of the wavenumber plane) ∝ wavenumber^−exponent between two wavelengths</source>
+        <translation>isotropes gaußsches Rauschen mit einer spektralen Leistungsdichte (je Fläche der Wellenzahlebene) ∝ Wellenzahl^−exponent zwischen zwei Wellenlängen</translation>
+    </message>
+    <message>
+        <source>exponent of the power law</source>
+        <translation>Exponent des Potenzgesetzes</translation>
+    </message>
+    <message>
+        <source>shortest wavelength of the noise</source>
+        <translation>kürzeste Wellenlänge des Rauschens</translation>
+    </message>
+    <message>
+        <source>longest wavelength of the noise</source>
+        <translation>größte Wellenlänge des Rauschens</translation>
+    </message>
+    <message>
+        <source>spacings of %1 m (spacing_m at this angle_rad)</source>
+        <translation>Abstände von %1 m (spacing_m bei diesem angle_rad)</translation>
+    </message>
+    <message>
+        <source>bricks of %1 m (brick_length_m)</source>
+        <translation>Ziegel von %1 m (brick_length_m)</translation>
+    </message>
+    <message>
+        <source>pairs of courses of %1 m (2 · course_height_m)</source>
+        <translation>Schichtpaare von %1 m (2 · course_height_m)</translation>
+    </message>
+    <message>
+        <source>spacings of %1 m (spacing_m)</source>
+        <translation>Abstände von %1 m (spacing_m)</translation>
+    </message>
+    <message>
+        <source>%1 m or %2 m</source>
+        <translation>%1 m oder %2 m</translation>
+    </message>
+    <message>
+        <source>%1 m along %2 contain %3 %4, and the last one is cut where the surface is repeated: this makes an unintended step; choose a width of %5, which contains only complete ones</source>
+        <translation>%1 m entlang %2 enthalten %3 %4, und wo sich die Oberfläche wiederholt, wird das letzte Stück abgeschnitten: Es entsteht eine unbeabsichtigte Stufe; eine Breite von %5 wählen, die nur ganze Stücke enthält</translation>
+    </message>
+    <message>
+        <source>spacing_m is %1 m, and the samples are %2 m apart: %3 per spacing, so that heights and shape differ from those requested; choose %4 or more samples per side, which gives eight per spacing</source>
+        <translation>spacing_m beträgt %1 m, und die Abtastwerte liegen %2 m auseinander: %3 je Abstand, sodass Höhen und Form von den gewünschten abweichen; mindestens %4 Abtastwerte je Seite wählen, das ergibt acht je Abstand</translation>
+    </message>
+    <message>
+        <source>Side of the square</source>
+        <translation>Seite des Quadrats</translation>
+    </message>
+    <message>
+        <source>Samples per side</source>
+        <translation>Abtastwerte je Seite</translation>
+    </message>
+    <message>
+        <source>Seed of all random numbers</source>
+        <translation>Startwert aller Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>the component &quot;%1&quot; is longer than its object; copy or export the file again</source>
+        <translation>die Komponente „%1“ ist länger als ihr Objekt; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the component &quot;%1&quot; occurs twice in its object; export the file again</source>
+        <translation>die Komponente „%1“ kommt in ihrem Objekt zweimal vor; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the %1 has no component %2; copy or export the file again</source>
+        <translation>%1 hat keine Komponente %2; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the component &quot;%1&quot; has an unknown type; copy or export the file again</source>
+        <translation>die Komponente „%1“ hat einen unbekannten Typ; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the object is a %1, not a GwyDataField; copy or export the file again</source>
+        <translation>das Objekt ist ein %1, kein GwyDataField; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>there are %1 heights for %2 by %3 points; copy or export the file again</source>
+        <translation>für %2 mal %3 Punkte gibt es %1 Höhen; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>%1 in no unit</source>
+        <translation>%1 ohne Einheit</translation>
+    </message>
+    <message>
+        <source>there is no channel %2 with heights in m; the channels are %1. Choose a channel of heights</source>
+        <translation>es gibt keinen Kanal %2 mit Höhen in m; vorhandene Kanäle: %1. Einen Kanal mit Höhen wählen</translation>
+    </message>
+    <message>
+        <source>there is no channel with heights in m; the channels are %1. Choose a channel of heights</source>
+        <translation>es gibt keinen Kanal mit Höhen in m; vorhandene Kanäle: %1. Einen Kanal mit Höhen wählen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>the file has a %1 in place of a GwyContainer; copy or export it again</source>
+        <translation>die Datei hat ein %1 anstelle eines GwyContainer; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the lateral unit is &quot;%1&quot;, not m; set the physical dimensions in Gwyddion</source>
+        <translation>die laterale Einheit ist „%1“, nicht m; die physikalischen Abmessungen in Gwyddion setzen</translation>
+    </message>
+    <message>
+        <source>the mask and its channel differ in size; remove the mask in Gwyddion</source>
+        <translation>die Maske und ihr Kanal sind verschieden groß; die Maske in Gwyddion entfernen</translation>
+    </message>
+    <message>
+        <source>%1: the distance between points along %2 is %3 m; from %4 to %5 m are possible. Correct the unit or the distance in the file.</source>
+        <translation>%1: Der Abstand zwischen Punkten entlang %2 beträgt %3 m; möglich sind %4 bis %5 m. Die Einheit oder den Abstand in der Datei korrigieren.</translation>
+    </message>
+    <message>
+        <source>%1: the height of the point %2 of the row %3 is %4 m; from -1 to 1 m are possible. Correct the unit of the heights.</source>
+        <translation>%1: Die Höhe des Punkts %2 der Zeile %3 beträgt %4 m; möglich sind -1 bis 1 m. Die Einheit der Höhen korrigieren.</translation>
+    </message>
+    <message>
+        <source>%1: every height is %2 m, so that there is no relief to feel. Export the heights of the surface, not a mask or an empty channel.</source>
+        <translation>%1: Jede Höhe beträgt %2 m, sodass es kein Relief zu fühlen gibt. Die Höhen der Oberfläche exportieren, nicht eine Maske oder einen leeren Kanal.</translation>
+    </message>
+    <message>
+        <source>the surface has %1 by %2 points; from 2 to %3 per side and at most %4 in total are possible. Crop it or reduce its resolution</source>
+        <translation>die Oberfläche hat %1 mal %2 Punkte; möglich sind 2 bis %3 je Seite und insgesamt höchstens %4. Sie zuschneiden oder ihre Auflösung verringern</translation>
+    </message>
+    <message>
+        <source>the unit is &quot;%1&quot;; m, mm, µm, nm and pm are possible. Export a surface of heights</source>
+        <translation>die Einheit ist „%1“; möglich sind m, mm, µm, nm und pm. Eine Oberfläche mit Höhen exportieren</translation>
+    </message>
+    <message>
+        <source>the table of compressed parts has %1 rows, more than the file can contain; copy or export it again</source>
+        <translation>die Tabelle der komprimierten Teile hat %1 Zeilen, mehr als die Datei enthalten kann; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the file is too short for its number of points; copy or export it again</source>
+        <translation>die Datei ist zu kurz für die Anzahl ihrer Punkte; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the compressed parts contain more than the points; export it again</source>
+        <translation>die komprimierten Teile enthalten mehr als die Punkte; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the compressed points are damaged; copy or export the file again</source>
+        <translation>die komprimierten Punkte sind beschädigt; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the compressed parts have %1 bytes, and the points take %2; export the file again</source>
+        <translation>die komprimierten Teile haben %1 Byte, die Punkte brauchen %2; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the byte order is not little-endian; export it for PCs</source>
+        <translation>die Bytereihenfolge ist nicht Little-Endian; für PCs exportieren</translation>
+    </message>
+    <message>
+        <source>the object has the type %1, and only type 2, a surface, is supported; export a surface</source>
+        <translation>das Objekt hat den Typ %1, und nur Typ 2, eine Oberfläche, wird gelesen; eine Oberfläche exportieren</translation>
+    </message>
+    <message>
+        <source>the points have %1 bits, not 16 or 32; export it again</source>
+        <translation>die Punkte haben %1 Bit, nicht 16 oder 32; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the heights are marked as inverted, which programs interpret differently; save the surface without inversion</source>
+        <translation>die Höhen sind als invertiert gekennzeichnet, was Programme verschieden auslegen; die Oberfläche ohne Inversion speichern</translation>
+    </message>
+    <message>
+        <source>the height of a step is not a number other than 0; export it again</source>
+        <translation>die Höhe einer Stufe ist keine Zahl ungleich 0; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the offset of the heights is not a number; export it again</source>
+        <translation>der Versatz der Höhen ist keine Zahl; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: %3</source>
+        <translation>%1: Byte %2: %3</translation>
+    </message>
+    <message>
+        <source>the file ends %1 bytes after its beginning, before the %2 bytes that follow here; copy or export it again</source>
+        <translation>die Datei endet %1 Byte nach ihrem Anfang, vor den %2 Byte, die hier folgen; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the file ends within the text that begins here; copy or export it again</source>
+        <translation>die Datei endet in dem Text, der hier beginnt; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>%1: the measured points lie on a line and determine no plane. Measure the surface again, or use --form mean.</source>
+        <translation>%1: Die gemessenen Punkte liegen auf einer Geraden und bestimmen keine Ebene. Die Oberfläche erneut messen oder --form mean verwenden.</translation>
+    </message>
+    <message>
+        <source>%1: resampled at the smaller of its two distances, %2.</source>
+        <translation>%1: neu abgetastet mit dem kleineren ihrer beiden Abstände: %2.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of %3 points are measured; at least half are necessary. Measure the surface again, or crop it.</source>
+        <translation>%1: Nur %2 von %3 Punkten sind gemessen; mindestens die Hälfte ist nötig. Die Oberfläche erneut messen oder zuschneiden.</translation>
+    </message>
+    <message>
+        <source>the root element is %1, not ISO5436_2 of an X3P file; choose an X3P file</source>
+        <translation>das Wurzelelement ist %1, nicht das ISO5436_2 einer X3P-Datei; eine X3P-Datei wählen</translation>
+    </message>
+    <message>
+        <source>the element %1 has no element %2; export the surface again</source>
+        <translation>das Element %1 enthält kein Element %2; die Oberfläche erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the element %1 has &quot;%2&quot;, which is not a number of points; export the surface again</source>
+        <translation>das Element %1 enthält „%2“; das ist keine Anzahl von Punkten; die Oberfläche erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the element %1 has &quot;%2&quot;, and only &quot;%3&quot;, %4, is supported; export a surface with a regular grid</source>
+        <translation>das Element %1 enthält „%2“, und nur „%3“, %4, wird gelesen; eine Oberfläche mit regelmäßigem Gitter exportieren</translation>
+    </message>
+    <message>
+        <source>%1: there is a main.xml in %2 and in %3; export one surface per file</source>
+        <translation>%1: Es gibt eine main.xml in %2 und in %3; eine Oberfläche je Datei exportieren</translation>
+    </message>
+    <message>
+        <source>%1 is a zip archive without main.xml, not an X3P file. Choose an X3P file.</source>
+        <translation>%1 ist ein Zip-Archiv ohne main.xml, keine X3P-Datei. Eine X3P-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>the heights have the data type &quot;%1&quot;; I, L, F and D are possible; export the surface again</source>
+        <translation>die Höhen haben den Datentyp „%1“; möglich sind I, L, F und D; die Oberfläche erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the archive has no entry &quot;%1&quot;, which is named here; copy or export the file again</source>
+        <translation>das Archiv enthält keinen Eintrag „%1“, der hier genannt ist; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 has %2 bytes, and the points of the surface take %3; export the file again</source>
+        <translation>der Eintrag %1 hat %2 Byte, die Punkte der Oberfläche brauchen %3; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>a surface</source>
+        <translation>eine Oberfläche</translation>
+    </message>
+    <message>
+        <source>equal distances</source>
+        <translation>gleiche Abstände</translation>
+    </message>
+    <message>
+        <source>absolute heights</source>
+        <translation>absolute Höhen</translation>
+    </message>
+    <message>
+        <source>there are several layers; export one surface</source>
+        <translation>es gibt mehrere Schichten; eine einzige Oberfläche exportieren</translation>
+    </message>
+    <message>
+        <source>the heights are a list of texts, which is not supported; export them as a binary matrix</source>
+        <translation>die Höhen sind eine Liste von Texten, die nicht gelesen wird; sie als binäre Matrix exportieren</translation>
+    </message>
+    <message>
+        <source>the increment of the heights is 0, so that the surface is flat; correct it, or export the surface again</source>
+        <translation>das Inkrement der Höhen ist 0, sodass die Oberfläche eben ist; es korrigieren oder die Oberfläche erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the file is not XML; choose another file</source>
+        <translation>die Datei ist kein XML; eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>there is text after the root element; copy the file again</source>
+        <translation>nach dem Wurzelelement folgt Text; die Datei erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the file ends before &quot;%1&quot;; copy the file again</source>
+        <translation>die Datei endet vor „%1“; sie erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deeply; choose another file</source>
+        <translation>die Elemente sind zu tief verschachtelt; eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>document types and CDATA are not read; save the file without them</source>
+        <translation>Dokumenttypen und CDATA werden nicht gelesen; die Datei ohne sie speichern</translation>
+    </message>
+    <message>
+        <source>there is a mark &quot;&lt;%1&gt;&quot; where an element should begin; copy the file again</source>
+        <translation>wo ein Element beginnen sollte, steht „&lt;%1&gt;“; die Datei erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the element %1 of line %2 is not closed; copy the file again</source>
+        <translation>das Element %1 der Zeile %2 ist nicht geschlossen; die Datei erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the element %1 of line %2 is closed as %3; copy the file again</source>
+        <translation>das Element %1 der Zeile %2 ist als %3 geschlossen; die Datei erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the element %1 has a second %2, after that of line %3; keep the one that is meant, or export the file again</source>
+        <translation>das Element %1 enthält ein zweites %2, nach dem der Zeile %3; das gemeinte behalten oder die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the element %1 has &quot;%2&quot;, which is not a finite number; copy the file again</source>
+        <translation>das Element %1 enthält „%2“; das ist keine endliche Zahl; die Datei erneut kopieren</translation>
+    </message>
+    <message>
+        <source>the directory of the zip archive cannot be read: the file is incomplete or damaged; copy or export it again</source>
+        <translation>das Verzeichnis des Zip-Archivs kann nicht gelesen werden: Die Datei ist unvollständig oder beschädigt; sie erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the archive has the entry %1 twice, and which one is meant is unknown; export the file again</source>
+        <translation>das Archiv enthält den Eintrag %1 zweimal, und welcher gemeint ist, ist unbekannt; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the archive has no entry %1; copy or export the file again</source>
+        <translation>das Archiv enthält keinen Eintrag %1; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 has %2 bytes; at most %3 are possible; export the file again</source>
+        <translation>der Eintrag %1 hat %2 Byte; möglich sind höchstens %3; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 is compressed by another method than deflate, the only one of X3P; export the file again</source>
+        <translation>der Eintrag %1 ist anders komprimiert als mit deflate, dem einzigen Verfahren von X3P; die Datei erneut exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 states more bytes than the archive can contain; copy or export the file again</source>
+        <translation>der Eintrag %1 gibt mehr Bytes an, als das Archiv enthalten kann; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 cannot be opened: the archive is damaged or encrypted; copy or export the file again</source>
+        <translation>der Eintrag %1 lässt sich nicht öffnen: Das Archiv ist beschädigt oder verschlüsselt; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the entry %1 is damaged; copy or export the file again</source>
+        <translation>der Eintrag %1 ist beschädigt; die Datei erneut kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>%1 is not a textured mesh of Asperity.</source>
+        <translation>%1 ist kein texturiertes Netz von Asperity.</translation>
+    </message>
+    <message>
+        <source>%1 is in the format %2; this program reads %3.</source>
+        <translation>%1 hat das Format %2; dieses Programm liest %3.</translation>
+    </message>
+    <message>
+        <source>%1 is truncated.</source>
+        <translation>%1 ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its SHA-256 differs from the one stored in it.</source>
+        <translation>%1 ist beschädigt: Der SHA-256 weicht von dem ab, der darin gespeichert ist.</translation>
+    </message>
+    <message>
+        <source>Make the mesh again with asperity bake.</source>
+        <translation>Das Netz mit asperity bake neu erzeugen.</translation>
+    </message>
+    <message>
+        <source>The brightness varies mostly along %1° from +x. Either the surface has a grain at right angles to this direction, or the light came from one side along this direction. In the second case the brightness represents slopes towards the light: use shape from shading, or take the picture again in even light from all sides.</source>
+        <translation>Die Helligkeit ändert sich vor allem entlang %1° von +x aus. Entweder hat die Oberfläche eine Maserung quer zu dieser Richtung, oder das Licht kam entlang dieser Richtung von einer Seite. Im zweiten Fall gibt die Helligkeit Neigungen zum Licht wieder: die Form aus der Schattierung bestimmen (Shape from Shading) oder das Bild in gleichmäßigem Licht von allen Seiten noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The picture has narrow dark parts on brighter ground. If they are dark because they lie low (grooves, pits), bright is high: the correct sign is 1.</source>
+        <translation>Das Bild hat schmale dunkle Stellen auf hellerem Grund. Wenn sie dunkel sind, weil sie tief liegen (Rillen, Gruben), ist hell hoch: Das richtige Vorzeichen ist 1.</translation>
+    </message>
+    <message>
+        <source>The picture has narrow bright parts on darker ground. If they stand out (grains, fibres), bright is high: the correct sign is 1; if they lie low (light mortar between bricks), it is -1.</source>
+        <translation>Das Bild hat schmale helle Stellen auf dunklerem Grund. Wenn sie hervorstehen (Körner, Fasern), ist hell hoch: Das richtige Vorzeichen ist 1; wenn sie tief liegen (heller Mörtel zwischen Ziegeln), ist es -1.</translation>
+    </message>
+    <message>
+        <source>The picture does not show whether its brightness follows height; stains and paint look the same. Compare the relief with the surface itself before using it.</source>
+        <translation>Das Bild zeigt nicht, ob seine Helligkeit der Höhe folgt; Flecken und Farbe sehen genauso aus. Das Relief vor der Verwendung mit der Oberfläche selbst vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1 (Skewness %2, anisotropy %3.) One photograph cannot show whether dark areas are low, shaded or painted: look at the surface.</source>
+        <translation>%1 (Schiefe %2, Anisotropie %3.) Ein einzelnes Foto kann nicht zeigen, ob dunkle Bereiche tief liegen, im Schatten liegen oder bemalt sind: die Oberfläche selbst ansehen.</translation>
+    </message>
+    <message>
+        <source>brightness as height, after a homomorphic filter; the published method</source>
+        <translation>Helligkeit als Höhe, nach einem homomorphen Filter; das veröffentlichte Verfahren</translation>
+    </message>
+    <message>
+        <source>brightness as height, without a homomorphic filter</source>
+        <translation>Helligkeit als Höhe, ohne homomorphen Filter</translation>
+    </message>
+    <message>
+        <source>shape from shading in light from one side, linear solution in the Fourier domain</source>
+        <translation>Form aus der Schattierung (Shape from Shading) bei Licht von einer Seite, lineare Lösung im Fourierraum</translation>
+    </message>
+    <message>
+        <source>shape from shading in light from one side, linear approximation by iteration</source>
+        <translation>Form aus der Schattierung (Shape from Shading) bei Licht von einer Seite, lineare Näherung durch Iteration</translation>
+    </message>
+    <message>
+        <source>histogram is equalize; the method %1 needs brightness that is proportional to light. Use none.</source>
+        <translation>histogram ist equalize; das Verfahren %1 braucht Helligkeit, die zum Licht proportional ist. none verwenden.</translation>
+    </message>
+    <message>
+        <source>Direction of the light source for pentland and tsai_shah, counterclockwise: 0 is the right of the picture, 90 the top</source>
+        <translation>Richtung der Lichtquelle für pentland und tsai_shah, gegen den Uhrzeigersinn: 0 ist rechts im Bild, 90 oben</translation>
+    </message>
+    <message>
+        <source>Height of the light source above the surface for pentland and tsai_shah</source>
+        <translation>Höhe der Lichtquelle über der Oberfläche für pentland und tsai_shah</translation>
+    </message>
+    <message>
+        <source>Width of the surface in the photograph, from its left to its right edge</source>
+        <translation>Breite der Oberfläche im Foto, vom linken bis zum rechten Rand</translation>
+    </message>
+    <message>
+        <source>none: brightness as stored; equalize: histogram equalisation, which removes the relation of brightness to height</source>
+        <translation>none: Helligkeit wie gespeichert; equalize: Histogrammausgleich, der den Zusammenhang von Helligkeit und Höhe aufhebt</translation>
+    </message>
+    <message>
+        <source>Variations in brightness with wavelengths longer than this count as lighting, shorter ones as the surface</source>
+        <translation>Helligkeitsänderungen mit größeren Wellenlängen zählen als Beleuchtung, kürzere als Oberfläche</translation>
+    </message>
+    <message>
+        <source>Factor applied to gradual changes in lighting; below 1 attenuates them</source>
+        <translation>Faktor auf allmähliche Änderungen der Beleuchtung; unter 1 werden sie abgeschwächt</translation>
+    </message>
+    <message>
+        <source>Factor applied to fine detail; above 1 raises its contrast</source>
+        <translation>Faktor auf feine Einzelheiten; über 1 steigt ihr Kontrast</translation>
+    </message>
+    <message>
+        <source>Wavelengths longer than about this are left out of the heights: they are shape, not texture</source>
+        <translation>Wellenlängen etwa ab dieser Länge bleiben in den Höhen weg: Sie sind Form, nicht Textur</translation>
+    </message>
+    <message>
+        <source>Exponent p by which wavelengths shorter than the longest one kept are attenuated: amplitudes are multiplied by (wavelength/longest)^p. 0: as published; the heights of most surfaces have less short-wave detail than their brightness</source>
+        <translation>Exponent p, mit dem kürzere Wellenlängen als die größte erhaltene abgeschwächt werden: Amplituden werden mit (Wellenlänge/größte)^p multipliziert. 0: wie veröffentlicht; die Höhen der meisten Oberflächen enthalten weniger kurzwellige Einzelheiten als ihre Helligkeit</translation>
+    </message>
+    <message>
+        <source>Roughness of the relief: the RMS of its heights. A photograph does not show it</source>
+        <translation>Rauheit des Reliefs: der Effektivwert seiner Höhen. Ein Foto zeigt sie nicht</translation>
+    </message>
+    <message>
+        <source>%1 It is the width of the surface in %2, from its left to its right edge: %3 cm are %4 m.</source>
+        <translation>%1 Gemeint ist die Breite der Oberfläche in %2, vom linken bis zum rechten Rand: %3 cm sind %4 m.</translation>
+    </message>
+    <message>
+        <source>width_m is %1 m: each of the %2 pixels of %3 would be %4 mm of the surface, and pixels larger than %5 mm cannot represent a texture. Take a photograph of a smaller part of the surface, or one with more pixels.</source>
+        <translation>width_m beträgt %1 m: Jedes der %2 Pixel von %3 entspräche %4 mm der Oberfläche, und Pixel von mehr als %5 mm können keine Textur darstellen. Einen kleineren Teil der Oberfläche fotografieren oder ein Foto mit mehr Pixeln aufnehmen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 by %3 pixels; a texture needs at least 16 by 16. Use a photograph with more pixels.</source>
+        <translation>%1 hat %2 mal %3 Pixel; eine Textur braucht mindestens 16 mal 16. Ein Foto mit mehr Pixeln verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 m; %3, %4 m wide, cannot represent wavelengths shorter than two pixels, %5 m. Choose a longer wavelength.</source>
+        <translation>%1 beträgt %2 m; %3, %4 m breit, kann keine Wellenlängen unter zwei Pixeln darstellen, also unter %5 m. Eine größere Wellenlänge wählen.</translation>
+    </message>
+    <message>
+        <source>%1 has no contrast at wavelengths that could be felt (shorter than about %2 m); use a photograph in which the texture is visible.</source>
+        <translation>%1 hat keinen Kontrast bei Wellenlängen, die fühlbar wären (unter etwa %2 m); ein Foto verwenden, in dem die Textur zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: %2 Copy or export it again.</source>
+        <translation>%1 ist beschädigt: %2 Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its pixels cannot be decoded.</source>
+        <translation>Die Pixel lassen sich nicht dekodieren.</translation>
+    </message>
+    <message>
+        <source>its number of pixels differs from that in its header.</source>
+        <translation>Die Anzahl der Pixel weicht von der im Kopf der Datei ab.</translation>
+    </message>
+    <message>
+        <source>%1 contains neither 8-bit nor 16-bit whole numbers. Save it with 8 or 16 bits per channel.</source>
+        <translation>%1 enthält weder ganze Zahlen von 8 noch von 16 Bit. Mit 8 oder 16 Bit je Kanal speichern.</translation>
+    </message>
+    <message>
+        <source>%1 does not contain one channel of 32-bit floating-point numbers. Save the heights in this form.</source>
+        <translation>%1 enthält nicht einen Kanal mit Gleitkommazahlen von 32 Bit. Die Höhen in dieser Form speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is truncated or damaged: the file ends before the end of the picture. Copy or export it again.</source>
+        <translation>%1 ist abgeschnitten oder beschädigt: Die Datei endet vor dem Ende des Bilds. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: its header states %2 by %3 pixels. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Im Kopf der Datei stehen %2 mal %3 Pixel. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 by %3 pixels; at most %4 per side are possible. Scale it down or crop it.</source>
+        <translation>%1 hat %2 mal %3 Pixel; möglich sind höchstens %4 je Seite. Das Bild verkleinern oder zuschneiden.</translation>
+    </message>
+    <message>
+        <source>%1 is truncated or damaged: a PNG begins with its size (IHDR), and this one does not. Copy or export it again.</source>
+        <translation>%1 ist abgeschnitten oder beschädigt: Ein PNG beginnt mit seiner Größe (IHDR), dieses nicht. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its colour type does not exist in PNG. Copy or export it again.</source>
+        <translation>%1 ist beschädigt: Diesen Farbtyp gibt es in PNG nicht. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: a checksum in it does not match. Copy or export it again.</source>
+        <translation>%1 ist beschädigt: Eine Prüfsumme darin stimmt nicht. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: a segment of this JPEG has no length. Copy or export it again.</source>
+        <translation>%1 ist beschädigt: Ein Abschnitt dieses JPEG hat keine Länge. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a JPEG with %2 per channel; only 8 are supported. Save it as a 16-bit PNG or TIFF instead.</source>
+        <translation>%1 ist ein JPEG mit %2 je Kanal; gelesen werden nur 8 Bit. Stattdessen als PNG oder TIFF mit 16 Bit speichern.</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 Bit</translation>
+    </message>
+    <message>
+        <source>%1 bits</source>
+        <translation>%1 Bit</translation>
+    </message>
+    <message>
+        <source>%1 is a JPEG with %2 colour channels (probably CMYK); save it as greyscale or RGB.</source>
+        <translation>%1 ist ein JPEG mit %2 Farbkanälen (vermutlich CMYK); in Graustufen oder als RGB speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF that states &quot;%2&quot; as the value of missing points, which is not a number; export it again.</source>
+        <translation>%1 ist ein TIFF, das „%2“ als Wert fehlender Punkte angibt; das ist keine Zahl. Die Datei erneut exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a BigTIFF or another kind of TIFF that is not supported; save it as plain TIFF or PNG.</source>
+        <translation>%1 ist ein BigTIFF oder eine andere Art von TIFF, die nicht gelesen wird; als einfaches TIFF oder PNG speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF that states the entry %2 of its directory twice; export it again.</source>
+        <translation>%1 ist ein TIFF, dessen Verzeichnis den Eintrag %2 zweimal enthält; die Datei erneut exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF that is to be turned or mirrored when it is shown (orientation %2), so that the directions of its rows and columns are unclear; save it upright, with the orientation 1.</source>
+        <translation>%1 ist ein TIFF, das zur Anzeige gedreht oder gespiegelt werden soll (Orientierung %2), sodass die Richtungen seiner Zeilen und Spalten unklar sind; aufrecht speichern, mit der Orientierung 1.</translation>
+    </message>
+    <message>
+        <source>%1-bit floating-point numbers</source>
+        <translation>Gleitkommazahlen von %1 Bit</translation>
+    </message>
+    <message>
+        <source>%1-bit whole numbers with a sign</source>
+        <translation>ganzen Zahlen von %1 Bit mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>%1-bit channels</source>
+        <translation>Kanälen von %1 Bit</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF with %2; save a photograph with whole numbers of 8 or 16 bits without a sign, and measured heights with 32-bit floating-point numbers.</source>
+        <translation>%1 ist ein TIFF mit %2; ein Foto mit ganzen Zahlen von 8 oder 16 Bit ohne Vorzeichen speichern, gemessene Höhen mit Gleitkommazahlen von 32 Bit.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF with %2 channels; save it with 1 to 4 (greyscale or colour, with or without alpha).</source>
+        <translation>%1 ist ein TIFF mit %2 Kanälen; mit 1 bis 4 speichern (Graustufen oder Farbe, mit oder ohne Alphakanal).</translation>
+    </message>
+    <message>
+        <source>%1 is a BMP in the format used before 1990, which is not supported; save it as PNG.</source>
+        <translation>%1 ist ein BMP im Format von vor 1990, das nicht gelesen wird; als PNG speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is an animation; save a single picture of it.</source>
+        <translation>%1 ist eine Animation; ein einzelnes Bild daraus speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: a WebP contains a VP8 picture, and this one does not. Copy or export it again.</source>
+        <translation>%1 ist beschädigt: Ein WebP enthält ein VP8-Bild, dieses nicht. Die Datei erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is empty; copy or export the picture (PNG, JPEG, TIFF, BMP or WebP) again.</source>
+        <translation>%1 ist leer; das Bild (PNG, JPEG, TIFF, BMP oder WebP) erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is not a picture in a supported format; save it as PNG, JPEG, TIFF, BMP or WebP.</source>
+        <translation>%1 ist kein Bild in einem lesbaren Format; als PNG, JPEG, TIFF, BMP oder WebP speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is not a TIFF; save the heights as TIFF.</source>
+        <translation>%1 ist kein TIFF; die Höhen als TIFF speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF with %2 channel of %3 bits; save the heights as one channel of 32-bit floating-point numbers.</source>
+        <translation>%1 ist ein TIFF mit %2 Kanal von %3 Bit; die Höhen als einen Kanal mit Gleitkommazahlen von 32 Bit speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a TIFF with %2 channels of %3 bits; save the heights as one channel of 32-bit floating-point numbers.</source>
+        <translation>%1 ist ein TIFF mit %2 Kanälen von %3 Bit; die Höhen als einen Kanal mit Gleitkommazahlen von 32 Bit speichern.</translation>
+    </message>
+</context>
+<context>
     <name>StimulusFiles</name>
     <message>
         <source>%1 names %2 and cannot be changed, because it is not valid JSON. Fix the file first.</source>
@@ -12071,6 +16503,21 @@
     <message>
         <source>%1, the height field of the stimulus %2, is not the file that the sessions used: the export has neither that file nor its features. Restore it from a backup or a copy of the study, then export again.</source>
         <translation>%1, das Höhenfeld des Reizes %2, ist nicht die Datei, die in den Sitzungen verwendet wurde: Der Export enthält weder diese Datei noch ihre Merkmale. Die Datei aus einer Sicherung oder einer Kopie der Studie wiederherstellen, dann erneut exportieren.</translation>
+    </message>
+</context>
+<context>
+    <name>StrokedBody</name>
+    <message>
+        <source>no mesh is chosen; choose the file of a textured mesh, as &quot;asperity bake&quot; makes it</source>
+        <translation>kein Netz gewählt; die Datei eines texturierten Netzes wählen, wie „asperity bake“ sie erzeugt</translation>
+    </message>
+    <message>
+        <source>Body on which the models of a point render the relief</source>
+        <translation>Körper, an dem die Kraftmodelle eines Punkts das Relief wiedergeben</translation>
+    </message>
+    <message>
+        <source>Diameter of the sphere, or of the cylinder, whose axis is along y</source>
+        <translation>Durchmesser der Kugel oder des Zylinders, dessen Achse entlang y liegt</translation>
     </message>
 </context>
 <context>
@@ -12398,6 +16845,41 @@
     <message>
         <source>the session last ran %1, but the protocol requires sessions to be resumed within %2 h</source>
         <translation>die Sitzung lief zuletzt %1, aber das Protokoll verlangt, dass Sitzungen innerhalb von %2 h fortgesetzt werden</translation>
+    </message>
+</context>
+<context>
+    <name>UnitsOfFile</name>
+    <message>
+        <source>; lengths are in metres: %1</source>
+        <translation>; Längen sind in Metern anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; times are in seconds: %1</source>
+        <translation>; Zeiten sind in Sekunden anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; speeds are in metres per second: %1</source>
+        <translation>; Geschwindigkeiten sind in Metern pro Sekunde anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; forces are in newtons: %1</source>
+        <translation>; Kräfte sind in Newton anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; masses are in kilograms: %1</source>
+        <translation>; Massen sind in Kilogramm anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; frequencies are in hertz: %1</source>
+        <translation>; Frequenzen sind in Hertz anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; stiffnesses are in newtons per metre: %1</source>
+        <translation>; Steifigkeiten sind in Newton pro Meter anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>; angles are in radians: %1</source>
+        <translation>; Winkel sind in Radiant anzugeben: %1</translation>
     </message>
 </context>
 <context>
@@ -16118,7 +20600,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Help for the key at the cursor.</source>
-        <translation>Hilfe zum Schlüssel an der Schreibmarke.</translation>
+        <translation>Hilfe zur Einstellung an der Schreibmarke.</translation>
     </message>
     <message>
         <source>Switches to the other view: %1</source>

@@ -27,6 +27,7 @@
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/metadata_dialog.h"
 #include "app/gui/study/new_study_dialog.h"
@@ -36,7 +37,7 @@
 #include "app/gui/window/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
-#include "results_schema/error_text.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -257,9 +258,8 @@ bool StudyWindow::show_study(const std::filesystem::path& folder, const LoadedMo
         std::make_unique<OpenStudy>(std::filesystem::absolute(folder).lexically_normal(), models);
     name = QString::fromStdString(opened->study().name());
   } catch (const std::exception& error) {
-    banner_->show_news(
-        State::stop,
-        tr("The study could not be opened: %1").arg(QString::fromStdString(message_of(error))));
+    banner_->show_news(State::stop,
+                       tr("The study could not be opened: %1").arg(words_of(phrase_of(error))));
     return false;
   }
   close_study();
@@ -481,9 +481,8 @@ void StudyWindow::store_metadata(const StudyMetadata& metadata) {
     study_->announce_change();
     banner_->show_news(State::fine, tr("The metadata of the study have been stored."));
   } catch (const std::exception& error) {
-    banner_->show_news(
-        State::stop,
-        tr("The metadata could not be stored: %1").arg(QString::fromStdString(message_of(error))));
+    banner_->show_news(State::stop,
+                       tr("The metadata could not be stored: %1").arg(words_of(phrase_of(error))));
   }
 }
 
@@ -503,9 +502,8 @@ void StudyWindow::share_with(const QString& group) {
         State::fine,
         tr("The study is shared with the group %1. Other users cannot read it.").arg(group));
   } catch (const std::exception& error) {
-    banner_->show_news(
-        State::stop,
-        tr("The study could not be shared: %1").arg(QString::fromStdString(message_of(error))));
+    banner_->show_news(State::stop,
+                       tr("The study could not be shared: %1").arg(words_of(phrase_of(error))));
   }
 }
 

@@ -20,7 +20,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/surface_card.h"
-#include "results_schema/error_text.h"
+#include "app/words/phrased_error.h"
 
 namespace asperity {
 
@@ -133,7 +133,7 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
   head->addWidget(card.chosen, 1);
   head->addWidget(swatch);
   inside->addLayout(head);
-  QLabel* summary = make_text(QString::fromStdString(model.declaration.summary), frame, true);
+  QLabel* summary = make_text(words_of(model.declaration.summary), frame, true);
   summary->setFont(text_font(TextSize::small));
   summary->setToolTip(QString::fromStdString(model.declaration.source));
   inside->addWidget(summary);
@@ -227,7 +227,7 @@ void ForceComparison::make_renderers() {
         try {
           surface = body->surface();
         } catch (const std::exception& error) {
-          complaint_about_body = QString::fromStdString(message_of(error));
+          complaint_about_body = words_of(phrase_of(error));
         }
         built->hand = MouseHand(depth_m, surface);
         for (const Order& order : orders) {
@@ -256,7 +256,7 @@ void ForceComparison::make_renderers() {
                                 *model.stroked.inputs.height_field);
             model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
           } catch (const std::exception& error) {
-            model.complaint = QString::fromStdString(message_of(error));
+            model.complaint = words_of(phrase_of(error));
           }
           built->models.push_back(std::move(model));
         }

@@ -27,7 +27,7 @@ struct OpenedPicture {
   std::shared_ptr<PhotographPreviews> resting{};  ///< in turn on every thread that has this
   std::shared_ptr<PhotographPreviews> dragged{};
   QImage original{};
-  std::string advice{};
+  Phrase advice{};
   double direction_deg = 0.0;  ///< of the greatest change of brightness
   std::vector<PhotographResemblance> resemblances{};
   QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think

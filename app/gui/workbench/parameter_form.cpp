@@ -22,6 +22,7 @@
 #include "app/gui/base/parameter_unit.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -210,7 +211,7 @@ QString without_unit(const Parameter& parameter) {
 }
 
 QString tip_of(const Parameter& parameter) {
-  const QString meaning = QString::fromStdString(parameter.meaning).toHtmlEscaped();
+  const QString meaning = asperity::words_of(parameter.meaning).toHtmlEscaped();
   const QString name = QString::fromStdString(parameter.name);
   if (parameter.kind == ParameterKind::choice) {
     return FormWords::tr("<p>%1.</p><p>In files: %2</p>").arg(meaning, name);

@@ -203,7 +203,7 @@ void RecipePanel::add_groups(QLayout* layout) {
 
 void RecipePanel::show_opened(const OpenedPicture& opened) {
   banner_->hide();
-  advice_->setText(QString::fromStdString(opened.advice));
+  advice_->setText(words_of(opened.advice));
   direction_deg_ = opened.direction_deg;
   show_stated({});
   // What is said of the sign stands next to its choice.

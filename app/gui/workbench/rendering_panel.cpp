@@ -7,12 +7,13 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 
+#include "analysis/words/phrase.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/stimulus_names.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {

@@ -2,8 +2,7 @@
 
 #include "app/gui/workbench/stroked_body.h"
 
-#include <stdexcept>
-
+#include "analysis/words/phrased_error.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "stimuli/meshes/solid_body.h"
 
@@ -21,8 +20,10 @@ TexturedMesh mesh_of(const BodyChoice& choice) {
                   BodyAxis::y);
   }
   if (choice.mesh.empty()) {
-    throw std::invalid_argument(
-        "no mesh is chosen; choose the file of a textured mesh, as \"asperity bake\" makes it");
+    throw PhrasedRefusal(
+        phrase("StrokedBody",
+               "no mesh is chosen; choose the file of a textured mesh, as \"asperity "
+               "bake\" makes it"));
   }
   return load_textured_mesh(choice.mesh).stored->mesh;
 }
@@ -30,18 +31,20 @@ TexturedMesh mesh_of(const BodyChoice& choice) {
 }  // namespace
 
 std::vector<Parameter> body_parameters() {
-  return {{.name = "body",
-           .kind = ParameterKind::choice,
-           .choices = {"plane", "sphere", "cylinder", "mesh"},
-           .default_value = std::string("plane"),
-           .meaning = "Body on which the models of a point render the relief"},
-          {.name = "body_diameter_m",
-           .kind = ParameterKind::number,
-           .unit = "m",
-           .minimum = 0.01,
-           .maximum = 1.0,
-           .default_value = kUsualDiameter_m,
-           .meaning = "Diameter of the sphere, or of the cylinder, whose axis is along y"}};
+  return {
+      {.name = "body",
+       .kind = ParameterKind::choice,
+       .choices = {"plane", "sphere", "cylinder", "mesh"},
+       .default_value = std::string("plane"),
+       .meaning = phrase("StrokedBody", "Body on which the models of a point render the relief")},
+      {.name = "body_diameter_m",
+       .kind = ParameterKind::number,
+       .unit = "m",
+       .minimum = 0.01,
+       .maximum = 1.0,
+       .default_value = kUsualDiameter_m,
+       .meaning = phrase("StrokedBody",
+                         "Diameter of the sphere, or of the cylinder, whose axis is along y")}};
 }
 
 std::shared_ptr<const BodySurface> StrokedBody::surface() {

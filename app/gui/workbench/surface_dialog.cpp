@@ -208,7 +208,7 @@ void SurfaceDialog::choose_kind() {
     parameters_->widget(i)->setSizePolicy(
         QSizePolicy::Preferred, i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
   }
-  summary_->setText(text(surfaces_[static_cast<std::size_t>(index)].summary));
+  summary_->setText(asperity::words_of(surfaces_[static_cast<std::size_t>(index)].summary));
   name_->setText(proposed_name(kind(), study_.folder() / "stimuli"));
   compute();
 }

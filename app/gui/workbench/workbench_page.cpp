@@ -31,6 +31,7 @@
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "app/tasks/rendering_use.h"
+#include "app/words/phrased_error.h"
 #include "results_schema/files/folder_entries.h"
 
 namespace asperity {
@@ -404,7 +405,8 @@ void WorkbenchPage::take_rendering(const Rendering& rendering) {
   try {
     comparison_->choose(choices);
   } catch (const std::exception& error) {
-    banner_->show_news(State::stop, tr("The file could not be opened: %1").arg(text(error.what())));
+    banner_->show_news(State::stop,
+                       tr("The file could not be opened: %1").arg(words_of(phrase_of(error))));
   }
   set_mode(Mode::comparing);
 }

@@ -123,7 +123,7 @@ std::string form_text(const Question& question) {
                           (scale.points == 0 ? ""
                                              : " with " + std::to_string(scale.points) + " points");
                  },
-                 []<class Form>(const Form&) { return std::string(Form::kDescription); }},
+                 [&question](const auto&) { return description_of(question.form).english(); }},
       question.form);
 }
 
@@ -439,7 +439,7 @@ ReportSection design_section(const ReportFacts& facts) {
         "The protocol " + row.name + ", version " + row.version + ", is a " + row.kind + " (" +
         row.design + "). This program cannot read its file, which is stored in the study: " +
         (check.diagnostics.empty() ? std::string("the reason is unknown")
-                                   : check.diagnostics.front().message))});
+                                   : check.diagnostics.front().message.english()))});
     section.parts.emplace_back(ReportText{planned_trials_text(facts) + surfaces_text(facts)});
     return section;
   }

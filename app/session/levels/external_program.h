@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

@@ -8,10 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "analysis/words/phrase.h"
 #include "app/processes/child_process.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/levels/supplied_steps.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/plan/level_tracks.h"
 
 namespace asperity {

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/profiles/device_profile.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

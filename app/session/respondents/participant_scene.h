@@ -10,7 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "protocols/design/protocol.h"
 #include "protocols/plan/plan.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/design/protocol.h"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/device_bench/tried_device.h"
 #include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
-#include "app/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {

@@ -3,6 +3,7 @@
 #include "app/tasks/checks/session_checks.h"
 
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,16 +24,34 @@ namespace {
 
 using State = SessionCheck::State;
 
+/// All problems of a protocol or its translation, with the file and line of each.
+Phrase problems_of(const ProtocolError& error) {
+  Phrase text{};
+  for (const Diagnostic& problem : error.diagnostics()) {
+    const Phrase line = phrase("SessionChecks", "%1, line %2: %3")
+                            .with(std::filesystem::path(problem.file).filename().string(),
+                                  std::to_string(problem.line), problem.message)
+                            .as_sentence();
+    text = text.empty() ? line : Phrase("%1 %2").with(text, line);
+  }
+  return text;
+}
+
 /// The result of a check with its id and title; an exception becomes a result with the state `stop`.
 template <class Check>
 SessionCheck checked(const std::string& id, const Phrase& title, Check run) {
   SessionCheck check{};
+  const auto stopped_by = [](const Phrase& text) {
+    return SessionCheck{.state = State::stop,
+                        .text = text,
+                        .remedy = phrase("SessionChecks", "Fix the problem, then check again.")};
+  };
   try {
     check = run();
+  } catch (const ProtocolError& error) {
+    check = stopped_by(problems_of(error));
   } catch (const std::exception& error) {
-    check = {.state = State::stop,
-             .text = phrase_of(error).as_sentence(),
-             .remedy = phrase("SessionChecks", "Fix the problem, then check again.")};
+    check = stopped_by(phrase_of(error).as_sentence());
   }
   check.id = id;
   check.title = title;

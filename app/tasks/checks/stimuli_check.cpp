@@ -49,7 +49,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
     load_protocol_to_run(inputs.protocol, inputs.study, builder, inputs.rehearsal.get());
   } catch (const ProtocolError& error) {
     for (const Diagnostic& problem : error.diagnostics()) {
-      const Phrase sentence = Phrase(problem.message).as_sentence();
+      const Phrase sentence = problem.message.as_sentence();
       check.text = check.text.empty() ? sentence : Phrase("%1 %2").with(check.text, sentence);
     }
     check.remedy = phrase("SessionChecks", "Restore the files in the study, or make them again.");

@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/words/phrase.h"
 #include "app/profiles/device_kind.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_compute.h"
@@ -24,7 +25,7 @@
 #include "app/tasks/warnings/plugin_warnings.h"
 #include "app/tasks/warnings/session_warnings.h"
 #include "app/tasks/warnings/stimulus_warnings.h"
-#include "app/words/phrase.h"
+#include "app/words/phrased_error.h"
 #include "device/simulated_models.h"
 #include "protocols/plan/groups.h"
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
 #include "renderers/offline/texture_waves.h"
@@ -20,7 +22,7 @@ constexpr double kGreatestStep_N = 0.020;
 constexpr double kUsualSpeed_m_per_s = 0.2;  // of a hand whose speed is not limited
 
 std::string in_millimetres(double length_m) {
-  return number_text(std::round(1e5 * length_m) / 100.0) + " mm";
+  return number_text(std::round(1e5 * length_m) / 100.0);
 }
 
 /// The stroke of the exploration, if it has a direction along the patches.
@@ -59,7 +61,7 @@ std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& check
   const JsonDocument document(protocol.source, checked.file_name);
   std::vector<Diagnostic> warnings{};
   std::set<std::string> said{};
-  const auto warn = [&](const Trial& trial, const std::string& what, std::string message) {
+  const auto warn = [&](const Trial& trial, const std::string& what, Phrase message) {
     if (!said.insert(trial.block + '\n' + what).second) return;
     warnings.push_back(document.at(pointer_to("/blocks", trial.block) + "/arrangement/surfaces",
                                    std::move(message)));
@@ -70,13 +72,18 @@ std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& check
     if (arrangement.strokes) {
       const auto needed_s = visit_s(exploration, *arrangement.strokes);
       if (needed_s && *needed_s > exploration.maximum_contact_s) {
+        const Phrase sentence =
+            *arrangement.strokes == 1
+                ? phrase("Protocols",
+                         "%1 stroke of the exploration %2 takes %3 s, but a visit ends after %4 s; "
+                         "state fewer strokes, or raise %5")
+                : phrase("Protocols",
+                         "%1 strokes of the exploration %2 take %3 s, but a visit ends after %4 s; "
+                         "state fewer strokes, or raise %5");
         warn(trial, "exposure " + exploration.name,
-             std::to_string(*arrangement.strokes) +
-                 (*arrangement.strokes == 1 ? " stroke" : " strokes") + " of the exploration \"" +
-                 exploration.name + (*arrangement.strokes == 1 ? "\" takes " : "\" take ") +
-                 fixed(*needed_s, 1) + " s, but a visit ends after " +
-                 number_text(exploration.maximum_contact_s) +
-                 " s; state fewer strokes, or raise maximum_contact_s");
+             sentence.with(std::to_string(*arrangement.strokes), in_quotes(exploration.name),
+                           fixed(*needed_s, 1), number_text(exploration.maximum_contact_s),
+                           key_name("maximum_contact_s")));
       }
     }
     if (arrangement.surfaces != Arrangement::Surfaces::side_by_side) continue;
@@ -86,9 +93,11 @@ std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& check
       const auto stroke_m = stroke_along_m(exploration, arrangement.axis);
       if (stroke_m && *stroke_m > width_m) {
         warn(trial, "stroke " + exploration.name,
-             "the patches are " + in_millimetres(width_m) + " wide, but the exploration \"" +
-                 exploration.name + "\" requests strokes of " + in_millimetres(*stroke_m) +
-                 "; request shorter strokes, or use a wider surface");
+             phrase("Protocols",
+                    "the patches are %1 mm wide, but the exploration %2 requests strokes of %3 mm; "
+                    "request shorter strokes, or use a wider surface")
+                 .with(in_millimetres(width_m), in_quotes(exploration.name),
+                       in_millimetres(*stroke_m)));
       }
       if (!builder.can_make(planned.stimulus)) continue;
       const PreparedStimulus stimulus = builder.unmatched(planned.stimulus);
@@ -97,21 +106,22 @@ std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& check
           step_of_blend_N(protocol, planned, waves.amplitude_m.value_or(0.0), exploration);
       if (step_N > kGreatestStep_N) {
         warn(trial, "step " + planned.stimulus_template,
-             "at the edge of a patch of \"" + planned.stimulus.name +
-                 "\" the force can change by " + fixed(1e3 * step_N, 0) +
-                 " mN from tick to tick, and a change of more than " +
-                 fixed(1e3 * kGreatestStep_N, 0) +
-                 " mN is felt as a step; lower the amplitude, the stiffness or the maximum speed "
-                 "of the exploration");
+             phrase("Protocols",
+                    "at the edge of a patch of %1 the force can change by %2 mN from tick to tick, "
+                    "and a change of more than %3 mN is felt as a step; lower the amplitude, the "
+                    "stiffness or the maximum speed of the exploration")
+                 .with(in_quotes(planned.stimulus.name), fixed(1e3 * step_N, 0),
+                       fixed(1e3 * kGreatestStep_N, 0)));
       }
       const std::optional<double> period_m = waves.wavelength_m;
       if (period_m && width_m < kFewestPeriods * *period_m) {
         warn(trial, "periods " + planned.stimulus_template,
-             "the patches are " + in_millimetres(width_m) + " wide and contain " +
-                 fixed(width_m / *period_m, 1) + " periods of the stimulus \"" +
-                 planned.stimulus.name + "\" (" + in_millimetres(*period_m) +
-                 "); ten or more are needed to feel a texture: use a wider surface or a shorter "
-                 "period");
+             phrase("Protocols",
+                    "the patches are %1 mm wide and contain %2 periods of the stimulus %3 (%4 mm); "
+                    "ten or more are needed to feel a texture: use a wider surface or a shorter "
+                    "period")
+                 .with(in_millimetres(width_m), fixed(width_m / *period_m, 1),
+                       in_quotes(planned.stimulus.name), in_millimetres(*period_m)));
       }
     }
   }

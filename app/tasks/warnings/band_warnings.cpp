@@ -8,18 +8,21 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/session/explored_stimuli.h"
+#include "protocols/design/wording.h"
 
 namespace asperity {
 namespace {
 
-std::string remedy_for_band(const ForceModel& model) {
-  const std::string rate_of_device = "raise \"rate_Hz\" of the device";
+Phrase remedy_for_band(const ForceModel& model) {
   const auto& parameters = model.declaration.parameters;
   const bool has_noise_rate =
       std::any_of(parameters.begin(), parameters.end(),
                   [](const Parameter& parameter) { return parameter.name == "noise_rate_Hz"; });
-  return has_noise_rate ? "lower noise_rate_Hz to the rate of the servo loop, or " + rate_of_device
-                        : rate_of_device;
+  return (has_noise_rate ? phrase("Protocols",
+                                  "lower noise_rate_Hz to the rate of the servo loop, or raise %1 "
+                                  "of the device")
+                         : phrase("Protocols", "raise %1 of the device"))
+      .with(key_name("rate_Hz"));
 }
 
 }  // namespace
@@ -40,11 +43,12 @@ std::vector<Diagnostic> warnings_about_bands(const CheckedProtocol& checked,
     if (highest_Hz <= kRounding * 0.5 * protocol.rate_Hz) return;
     reported.insert(where);
     warnings.push_back(checked.at_stimulus(
-        where, "the force of the stimulus \"" + stimulus.name +
-                   "\" changes with time at frequencies up to " + number_text(highest_Hz) +
-                   " Hz, above the Nyquist frequency of the servo loop, half of " +
-                   number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
-                   remedy_for_band(*prepared.model)));
+        where, phrase("Protocols",
+                      "the force of the stimulus %1 changes with time at frequencies up to %2 Hz, "
+                      "above the Nyquist frequency of the servo loop, half of %3 Hz: these "
+                      "frequencies would be aliased; %4")
+                   .with(in_quotes(stimulus.name), number_text(highest_Hz),
+                         number_text(protocol.rate_Hz), remedy_for_band(*prepared.model))));
   });
   return warnings;
 }

@@ -2,7 +2,10 @@
 
 #include "app/tasks/warnings/checked_protocol.h"
 
+#include <utility>
+
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
 
@@ -23,12 +26,21 @@ std::vector<CheckedProtocol::Presentation> CheckedProtocol::presentations() cons
   return presentations;
 }
 
-Diagnostic CheckedProtocol::at_body(const std::string& name, const std::string& message) const {
-  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", name), message);
+Diagnostic CheckedProtocol::at_body(const std::string& name, Phrase message) const {
+  return JsonDocument(protocol.source, file_name)
+      .at_key(pointer_to("/bodies", name), std::move(message));
 }
 
-Diagnostic CheckedProtocol::at_stimulus(const std::string& name, const std::string& message) const {
-  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/stimuli", name), message);
+Diagnostic CheckedProtocol::at_stimulus(const std::string& name, Phrase message) const {
+  return JsonDocument(protocol.source, file_name)
+      .at_key(pointer_to("/stimuli", name), std::move(message));
+}
+
+Diagnostic CheckedProtocol::cannot_be_rendered(const PlannedPresentation& planned,
+                                               const Phrase& reason) const {
+  return at_stimulus(planned.stimulus_template,
+                     phrase("Protocols", "the stimulus %1 cannot be rendered: %2")
+                         .with(in_quotes(planned.stimulus.name), reason));
 }
 
 }  // namespace asperity

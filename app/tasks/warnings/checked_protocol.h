@@ -34,8 +34,10 @@ class CheckedProtocol final {
   std::vector<Presentation> presentations() const;
 
   /// A problem or a warning at a body or a stimulus template of the file.
-  Diagnostic at_body(const std::string& name, const std::string& message) const;
-  Diagnostic at_stimulus(const std::string& name, const std::string& message) const;
+  Diagnostic at_body(const std::string& name, Phrase message) const;
+  Diagnostic at_stimulus(const std::string& name, Phrase message) const;
+  /// The problem of a stimulus that fails for this reason.
+  Diagnostic cannot_be_rendered(const PlannedPresentation& planned, const Phrase& reason) const;
 
  private:
   mutable std::optional<std::vector<Trial>> trials_{};

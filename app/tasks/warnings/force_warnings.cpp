@@ -12,6 +12,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "device/probe_state.h"
+#include "protocols/design/wording.h"
 
 namespace asperity {
 
@@ -79,11 +80,12 @@ std::vector<Diagnostic> warnings_about_forces(const CheckedProtocol& checked,
         reported.insert(where);
         warnings.push_back(checked.at_stimulus(
             one.planned.stimulus_template,
-            "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
-                " N at rest, but the exploration \"" + one.exploration.name + "\" requests " +
-                number_text(*requested_N) +
-                " N: the force would be constant and without texture; raise the stiffness or the "
-                "parameter that limits the depth, or request less force"));
+            phrase("Protocols",
+                   "the stimulus %1 exerts at most %2 N at rest, but the exploration %3 requests "
+                   "%4 N: the force would be constant and without texture; raise the stiffness or "
+                   "the parameter that limits the depth, or request less force")
+                .with(in_quotes(stimulus.name), fixed(largest_N, 2),
+                      in_quotes(one.exploration.name), number_text(*requested_N))));
         return nearness;
       });
   return warnings;

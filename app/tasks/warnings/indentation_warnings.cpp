@@ -8,6 +8,7 @@
 
 #include "app/session/attempt_measures.h"
 #include "app/session/explored_stimuli.h"
+#include "protocols/design/wording.h"
 #include "renderers/force/indentation_law.h"
 
 namespace asperity {
@@ -28,14 +29,14 @@ std::vector<Diagnostic> warnings_about_indentation(const CheckedProtocol& checke
     const std::unique_ptr<ForceRenderer> renderer = prepared.model->make(inputs);
     const auto* const law = dynamic_cast<const IndentationLaw*>(renderer.get());
     if (law == nullptr) return;
-    const std::optional<std::string> problem =
+    const std::optional<Phrase> problem =
         law->indentation_problem(habits_for(one.exploration, stimulus.patch).normal_force_N);
     if (!problem) return;
     reported.insert(where);
-    warnings.push_back(checked.at_stimulus(one.planned.stimulus_template,
-                                           "the stimulus \"" + stimulus.name +
-                                               "\" in the exploration \"" + one.exploration.name +
-                                               "\": " + *problem));
+    warnings.push_back(checked.at_stimulus(
+        one.planned.stimulus_template,
+        phrase("Protocols", "the stimulus %1 in the exploration %2: %3")
+            .with(in_quotes(stimulus.name), in_quotes(one.exploration.name), *problem)));
   });
   return warnings;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "results_schema/tables/table.h"
 
@@ -39,12 +40,17 @@ std::vector<Diagnostic> problems_of_values(const Protocol& protocol, const std::
     if (equal == values.end()) continue;
     const std::vector<double> levels = dimension.levels();
     const auto first = static_cast<std::size_t>(equal - values.begin());
-    problems.push_back(document.at(
-        place_of_levels(name, dimension),
-        "the levels " + text_of_number(levels[first]) + " and " +
-            text_of_number(levels[first + 1]) + " are the same value of \"" + dimension.parameter +
-            "\", " + text_of_number(*equal) + ", because values have 12 significant digits; " +
-            (dimension.grid ? "use a larger step" : "leave one of them out")));
+    const Phrase sentence =
+        dimension.grid ? phrase("Protocols",
+                                "the levels %1 and %2 are the same value of %3, %4, because values "
+                                "have 12 significant digits; use a larger step")
+                       : phrase("Protocols",
+                                "the levels %1 and %2 are the same value of %3, %4, because values "
+                                "have 12 significant digits; leave one of them out");
+    problems.push_back(
+        document.at(place_of_levels(name, dimension),
+                    sentence.with(text_of_number(levels[first]), text_of_number(levels[first + 1]),
+                                  in_quotes(dimension.parameter), text_of_number(*equal))));
   }
   return problems;
 }
@@ -69,12 +75,12 @@ std::vector<Diagnostic> problems_of_scaled_heights(const CheckedProtocol& checke
       }
       const LoadedHeightField loaded = builder.height_field(*stimulus.height_field);
       if (loaded.field->maximum_m() > loaded.field->minimum_m()) continue;
-      problems.push_back(
-          document.at(pointer_to("/blocks", trial.block) + "/vary/parameter",
-                      "all heights of " + *stimulus.height_field +
-                          " are the same, so that the surface has no texture at any level of \"" +
-                          dimension.parameter +
-                          "\"; use a height field with a texture, or vary another parameter"));
+      problems.push_back(document.at(
+          pointer_to("/blocks", trial.block) + "/vary/parameter",
+          phrase("Protocols",
+                 "all heights of %1 are the same, so that the surface has no texture at any level "
+                 "of %2; use a height field with a texture, or vary another parameter")
+              .with(*stimulus.height_field, in_quotes(dimension.parameter))));
     }
   }
   return problems;

@@ -13,8 +13,9 @@
 
 #include "app/tasks/demo_stimuli.h"
 #include "app/tasks/warnings/rehearsed_stimuli.h"
+#include "app/words/phrased_error.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/protocol_reader.h"
-#include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
 #include "stimuli/pictures/photograph.h"
 
@@ -35,28 +36,32 @@ bool is_wav(const std::string& content) {
 }
 
 /// Why a file that a protocol names cannot be used; nothing when it can.
-std::optional<std::string> complaint_about_file(const NamedFile& named,
-                                                const std::filesystem::path& study,
-                                                StimulusBuilder& builder) {
+std::optional<Phrase> complaint_about_file(const NamedFile& named,
+                                           const std::filesystem::path& study,
+                                           StimulusBuilder& builder) {
   for (const std::string& path : paths_of(named)) {
     std::error_code unknown{};
     // What is there and is no file is refused below, as the file that is read.
     if (std::filesystem::status(study / path, unknown).type() ==
         std::filesystem::file_type::not_found) {
-      const char* const from =
+      const Phrase sentence =
           !demo_stimulus_of(path).empty()
-              ? "; copy the file into the study, or the computed texture of this name from a demo "
-                "study (asperity new DIR --demo), together with its .json if there is one"
-              : "; copy the file into the study";
-      return "the file " + path + " is not in the study " + study.string() + from;
+              ? phrase("Protocols",
+                       "the file %1 is not in the study %2; copy the file into the study, or the "
+                       "computed texture of this name from a demo study (asperity new DIR --demo), "
+                       "together with its .json if there is one")
+              : phrase("Protocols",
+                       "the file %1 is not in the study %2; copy the file into the study");
+      return sentence.with(path, study.string());
     }
   }
   try {
     for (const std::string& path : paths_of(named)) {
       if (lies_in(study, study / path)) continue;
-      return "the file " + path + " is a symbolic link to " +
-             std::filesystem::canonical(study / path).string() + ", which is outside the study " +
-             study.string() + "; copy the file into the study";
+      return phrase("Protocols",
+                    "the file %1 is a symbolic link to %2, which is outside the study %3; copy the "
+                    "file into the study")
+          .with(path, std::filesystem::canonical(study / path).string(), study.string());
     }
     switch (named.kind) {
       case NamedFile::Kind::height_field:
@@ -75,12 +80,13 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       }
       case NamedFile::Kind::speech:
         if (!is_wav(read_file(study / named.path, kSpeechFile))) {
-          return "the file " + named.path + " is not a WAV file; save it as WAV";
+          return phrase("Protocols", "the file %1 is not a WAV file; save it as WAV")
+              .with(named.path);
         }
         break;
     }
   } catch (const std::exception& error) {
-    return message_of(error);
+    return phrase_of(error);
   }
   return {};
 }
@@ -101,8 +107,9 @@ std::vector<Diagnostic> problems_of_shapes(const CheckedProtocol& checked,
     try {
       builder.require_body(*body);
     } catch (const std::exception& error) {
-      problems.push_back(checked.at_body(
-          body->name, "the body \"" + body->name + "\" cannot be made: " + message_of(error)));
+      problems.push_back(
+          checked.at_body(body->name, phrase("Protocols", "the body %1 cannot be made: %2")
+                                          .with(in_quotes(body->name), phrase_of(error))));
     }
   }
   return problems;
@@ -120,9 +127,7 @@ std::vector<Diagnostic> problems_of_assets(const CheckedProtocol& checked,
     try {
       make_renderer(*model, builder.unmatched(planned.stimulus).inputs);
     } catch (const std::exception& error) {
-      problems.push_back(checked.at_stimulus(planned.stimulus_template,
-                                             "the stimulus \"" + planned.stimulus.name +
-                                                 "\" cannot be rendered: " + message_of(error)));
+      problems.push_back(checked.cannot_be_rendered(planned, phrase_of(error)));
     }
   }
   return problems;

@@ -101,18 +101,18 @@ std::string magnitude_text(double log_magnitude) {
   return fixed(magnitude, static_cast<int>(decimals));
 }
 
-std::string per_cent(double proportion) { return fixed(100.0 * proportion, 0) + " %"; }
+std::string per_cent(double proportion) { return fixed(100.0 * proportion, 0); }
 
-std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
+Phrase judged_force(ObserverDeclaration::MagnitudeOf what) {
   switch (what) {
     case ObserverDeclaration::MagnitudeOf::lateral_force:
-      return "the variation of the lateral force";
+      return phrase("Protocols", "the variation of the lateral force");
     case ObserverDeclaration::MagnitudeOf::normal_force:
-      return "the variation of the normal force";
+      return phrase("Protocols", "the variation of the normal force");
     case ObserverDeclaration::MagnitudeOf::held_tool:
-      return "the vibration of a held tool";
+      return phrase("Protocols", "the vibration of a held tool");
     case ObserverDeclaration::MagnitudeOf::compliance:
-      return "the depth to which the surface yields over the normal force";
+      return phrase("Protocols", "the depth to which the surface yields over the normal force");
   }
   return {};
 }
@@ -167,7 +167,9 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
     const double required = required_proportion(block);
     const double change = *greatest - *least;
     const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";
-    const std::string judged = judged_force(observer.magnitude_of);
+    const Phrase judged = judged_force(observer.magnitude_of);
+    const Phrase magnitude_key = key_name("magnitude_of");
+    const Phrase observer_key = key_name("observer");
     const std::string parameter = in_quotes(block.vary->parameter);
     const double from = std::min(*least, *standard);
     const double to = std::max(*greatest, *standard);
@@ -179,39 +181,61 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
           std::abs(*least - *standard) > std::abs(*greatest - *standard) ? *least : *greatest;
       warnings.push_back(document.at(
           "/observer/yes_above",
-          "the virtual observer judges " + judged + ", which is " + magnitude_text(*standard) +
-              " at the standard and " + magnitude_text(nearest) + " to " +
-              magnitude_text(farthest) + " at the levels of " + parameter +
-              ": with this criterion nearly all simulated responses are the same. State a value "
-              "between that of the standard and those of the levels"));
+          phrase("Protocols",
+                 "the virtual observer judges %1, which is %2 at the standard and %3 to %4 at the "
+                 "levels of %5: with this criterion nearly all simulated responses are the same. "
+                 "State a value between that of the standard and those of the levels")
+              .with(judged, magnitude_text(*standard), magnitude_text(nearest),
+                    magnitude_text(farthest), parameter)));
     } else if (std::abs(change) < kLeastChange) {
       warnings.push_back(document.at(
-          place, "the virtual observer judges " + judged + ", which does not change with " +
-                     parameter +
-                     ": simulated responses are guesses. State another \"magnitude_of\" under "
-                     "\"observer\", or a surface on which this force depends on the parameter "
-                     "(its friction and its force_direction determine the lateral force)"));
+          place,
+          phrase("Protocols",
+                 "the virtual observer judges %1, which does not change with %2: simulated "
+                 "responses are guesses. State another %3 under %4, or a surface on which this "
+                 "force depends on the parameter (its friction and its force_direction determine "
+                 "the lateral force)")
+              .with(judged, parameter, magnitude_key, observer_key)));
     } else if ((change < 0.0) != observer.discrimination.magnitude_decreases) {
-      warnings.push_back(document.at(
-          place, "the virtual observer judges " + judged + ", which " +
-                     (change < 0.0 ? "decreases" : "increases") + " by a factor of " +
-                     fixed(std::exp(std::abs(change)), 2) + " where " + parameter +
-                     " increases from its smallest to its largest value: simulated responses are "
-                     "systematically incorrect. State \"effect\": \"" +
-                     (change < 0.0 ? "decreases" : "increases") + "\" under \"observer\""));
-    } else if (distinguished < required) {
+      const Phrase sentence =
+          change < 0.0
+              ? phrase("Protocols",
+                       "the virtual observer judges %1, which decreases by a factor of %2 where %3 "
+                       "increases from its smallest to its largest value: simulated responses are "
+                       "systematically incorrect. State %4: %5 under %6")
+              : phrase("Protocols",
+                       "the virtual observer judges %1, which increases by a factor of %2 where %3 "
+                       "increases from its smallest to its largest value: simulated responses are "
+                       "systematically incorrect. State %4: %5 under %6");
       warnings.push_back(document.at(
           place,
-          "the virtual observer judges " + judged +
-              ", which differs from the standard by a factor of at most " +
-              fixed(std::exp(from_standard), 2) + " within the levels of " + parameter +
-              ": with a \"feature_noise\" of " + number_text(observer.feature_noise) +
-              (observer.lapse > 0.0 ? " and a \"lapse\" of " + number_text(observer.lapse) : "") +
-              " it distinguishes no level from the standard in more than " +
-              per_cent(distinguished) + " of trials, and a threshold requires " +
-              per_cent(required) +
-              ". State levels farther from the standard, or a smaller \"feature_noise\" or another "
-              "\"magnitude_of\" under \"observer\""));
+          sentence.with(judged, fixed(std::exp(std::abs(change)), 2), parameter, key_name("effect"),
+                        in_quotes(change < 0.0 ? "decreases" : "increases"), observer_key)));
+    } else if (distinguished < required) {
+      const Phrase noise_key = key_name("feature_noise");
+      const Phrase sentence =
+          observer.lapse > 0.0
+              ? phrase("Protocols",
+                       "the virtual observer judges %1, which differs from the standard by a "
+                       "factor of at most %2 within the levels of %3: with a %4 of %5 and a %8 of "
+                       "%9 it distinguishes no level from the standard in more than %6 % of "
+                       "trials, and a threshold requires %7 %")
+              : phrase("Protocols",
+                       "the virtual observer judges %1, which differs from the standard by a "
+                       "factor of at most %2 within the levels of %3: with a %4 of %5 it "
+                       "distinguishes no level from the standard in more than %6 % of trials, and "
+                       "a threshold requires %7 %");
+      const Phrase remedy =
+          phrase("Protocols",
+                 "State levels farther from the standard, or a smaller %1 or another %2 under %3")
+              .with(noise_key, magnitude_key, observer_key);
+      warnings.push_back(document.at(
+          place,
+          Phrase("%1. %2").with(
+              sentence.with(judged, fixed(std::exp(from_standard), 2), parameter, noise_key,
+                            number_text(observer.feature_noise), per_cent(distinguished),
+                            per_cent(required), key_name("lapse"), number_text(observer.lapse)),
+              remedy)));
     }
   }
   return warnings;

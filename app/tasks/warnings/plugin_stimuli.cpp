@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "app/words/phrased_error.h"
 #include "renderers/offline/along_path.h"
-#include "results_schema/error_text.h"
 
 namespace asperity {
 namespace {
@@ -41,12 +41,14 @@ std::vector<ProbeState> path_across(const SurfacePatch& patch, double rate_Hz) {
 }
 
 /// What happens in a session; nothing if nothing fails.
-std::optional<std::string> failure_of(const PreparedStimulus& stimulus, double rate_Hz) {
+std::optional<Phrase> failure_of(const PreparedStimulus& stimulus, double rate_Hz) {
   const auto renderer = make_renderer(*stimulus.model, stimulus.inputs);
   along_path(*renderer, path_across(stimulus.inputs.patch, rate_Hz), rate_Hz);
   if (renderer->error().empty()) return {};
-  return "the plug-in of its force model failed in a stroke across the surface: " +
-         std::string(renderer->error()) + "; correct the plug-in, or the values of the stimulus";
+  return phrase("Protocols",
+                "the plug-in of its force model failed in a stroke across the surface: %1; correct "
+                "the plug-in, or the values of the stimulus")
+      .with(std::string(renderer->error()));
 }
 
 }  // namespace
@@ -63,17 +65,15 @@ std::vector<Diagnostic> problems_of_plugin_stimuli(const CheckedProtocol& checke
     if (!compared.insert(stimulus.name).second || reported.contains(planned.stimulus_template)) {
       continue;
     }
-    std::optional<std::string> failure{};
+    std::optional<Phrase> failure{};
     try {
       failure = failure_of(builder.unmatched(stimulus), checked.protocol.rate_Hz);
     } catch (const std::exception& error) {
-      failure = message_of(error);
+      failure = phrase_of(error);
     }
     if (!failure) continue;
     reported.insert(planned.stimulus_template);
-    problems.push_back(checked.at_stimulus(
-        planned.stimulus_template,
-        "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + *failure));
+    problems.push_back(checked.cannot_be_rendered(planned, *failure));
   }
   return problems;
 }

@@ -99,7 +99,7 @@ std::vector<Diagnostic> warnings_about_plugins(const CheckedProtocol& checked, c
   std::vector<Diagnostic> warnings{};
   for (const OtherBuild& build : other_builds(checked, study, models, mode)) {
     warnings.push_back(checked.at_stimulus(
-        build.stimulus_template, build.text().english() + "; " + remedy_for_builds().english()));
+        build.stimulus_template, Phrase("%1; %2").with(build.text(), remedy_for_builds())));
   }
   return warnings;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/tasks/warnings/checked_protocol.h"
-#include "app/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"

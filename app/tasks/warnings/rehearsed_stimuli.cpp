@@ -20,12 +20,12 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
+#include "app/words/phrased_error.h"
 #include "device/simulated_device.h"
 #include "protocols/design/wording.h"
 #include "protocols/plan/course.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
-#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -59,13 +59,13 @@ FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double
   return has_been_free ? FirstTouch::never : FirstTouch::never_outside;
 }
 
-std::string in_mm(double from_m, double to_m) {
-  return fixed(1e3 * from_m, 1) + " to " + fixed(1e3 * to_m, 1) + " mm";
+Phrase in_mm(double from_m, double to_m) {
+  return phrase("Protocols", "%1 to %2 mm").with(fixed(1e3 * from_m, 1), fixed(1e3 * to_m, 1));
 }
 
 /// The positions of the strokes and of the surface, and the correction.
-std::string never_touched(const StimulusDescription& stimulus, const TexturedMesh& surface,
-                          const HandHabits& habits, FirstTouch touch) {
+Phrase never_touched(const StimulusDescription& stimulus, const TexturedMesh& surface,
+                     const HandHabits& habits, FirstTouch touch) {
   glm::dvec3 low_m = surface.vertices_m.front();
   glm::dvec3 high_m = low_m;
   for (const glm::dvec3& vertex_m : surface.vertices_m) {
@@ -75,40 +75,50 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
   const glm::dvec2 end_m =
       0.5 * habits.stroke_length_m *
       glm::dvec2(std::cos(habits.direction_rad), std::sin(habits.direction_rad));
-  std::string surface_name = "the surface \"" + stimulus.surface->name + '"';
+  std::string surface_name = in_quotes(stimulus.surface->name);
   if (stimulus.surface->mesh) surface_name += " (" + *stimulus.surface->mesh + ')';
-  const std::string tool_name =
-      stimulus.tool ? "the tool \"" + stimulus.tool->name + '"' : std::string("the hand");
-  std::string sentence =
+  const Phrase of_tool =
       touch == FirstTouch::never
-          ? "no part of " + surface_name + " lies under the path of " + tool_name
-          : tool_name + " begins inside " + surface_name + " and never leaves it";
-  sentence += ": strokes begin in the plane z = 0, " + fixed(0.5e3 * habits.stroke_length_m, 1) +
-              " mm from the middle, and the surface lies at x " + in_mm(low_m.x, high_m.x) +
-              ", y " + in_mm(low_m.y, high_m.y) + ", z " + in_mm(low_m.z, high_m.z);
+          ? phrase("Protocols", "no part of the surface %1 lies under the path of the tool %2")
+          : phrase("Protocols", "the tool %2 begins inside the surface %1 and never leaves it");
+  const Phrase of_hand =
+      touch == FirstTouch::never
+          ? phrase("Protocols", "no part of the surface %1 lies under the path of the hand")
+          : phrase("Protocols", "the hand begins inside the surface %1 and never leaves it");
+  const Phrase problem = stimulus.tool ? of_tool.with(surface_name, in_quotes(stimulus.tool->name))
+                                       : of_hand.with(surface_name);
+  Phrase to_bake{};
   const double off_m = 0.01 * (high_m.z - low_m.z);
   if (stimulus.surface->mesh && std::abs(high_m.z) > off_m) {
-    sentence += std::abs(low_m.z) <= off_m
-                    ? "; its lowest point lies in that plane, as after `asperity bake --for tool`: "
-                      "bake it again with `--for surface`"
-                    : "; the highest point of a surface must lie in that plane: bake it again with "
-                      "`--for surface`";
+    to_bake = std::abs(low_m.z) <= off_m
+                  ? phrase("Protocols",
+                           "; its lowest point lies in that plane, as after `asperity bake --for "
+                           "tool`: bake it again with `--for surface`")
+                  : phrase("Protocols",
+                           "; the highest point of a surface must lie in that plane: bake it "
+                           "again with `--for surface`");
   }
   const auto ends_before = [&](const glm::dvec2& place_m) {
     return place_m.x < low_m.x || place_m.x > high_m.x || place_m.y < low_m.y ||
            place_m.y > high_m.y;
   };
+  Phrase to_shorten{};
   if (ends_before(end_m) || ends_before(-end_m)) {
-    sentence +=
-        "; the strokes extend beyond the surface: make the surface longer, or reduce "
-        "`stroke_length_m` of the exploration";
+    to_shorten = phrase("Protocols",
+                        "; the strokes extend beyond the surface: make the surface longer, or "
+                        "reduce %1 of the exploration")
+                     .with(key_name("stroke_length_m"));
   }
-  return sentence;
+  return phrase("Protocols",
+                "%1: strokes begin in the plane z = 0, %2 mm from the middle, and the surface lies "
+                "at x %3, y %4, z %5%6%7")
+      .with(problem, fixed(0.5e3 * habits.stroke_length_m, 1), in_mm(low_m.x, high_m.x),
+            in_mm(low_m.y, high_m.y), in_mm(low_m.z, high_m.z), to_bake, to_shorten);
 }
 
 std::string micrometres_text(double length_m) {
   constexpr double kMicrometres_per_m = 1e6;
-  return fixed(kMicrometres_per_m * length_m, 0) + " µm";
+  return fixed(kMicrometres_per_m * length_m, 0);
 }
 
 /// To whole micrometres: a cell of this width contains the waves from which it was computed.
@@ -119,7 +129,7 @@ double rounded_down_m(double cell_m) {
 
 /// Both numbers of a texture that is finer than the samples of a contact, and the correction;
 /// nothing where the cause is a different one, such as a contact that is too wide.
-std::string why_too_fine(const PreparedStimulus& stimulus) {
+Phrase why_too_fine(const PreparedStimulus& stimulus) {
   constexpr double kSamplesPerWave = 8.0;  // as in pd_gradient
   const ParameterValues& own = stimulus.inputs.parameters;
   const double finest_m =
@@ -127,18 +137,19 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
                finest_wave_m(*stimulus.inputs.surface, number_of(own, "texture_gain")));
   const double cell_m = number_of(own, "cell_m");
   if (!(kSamplesPerWave * cell_m > finest_m)) return {};
-  return ": its shortest wavelength is " + micrometres_text(finest_m) + ", and samples of " +
-         micrometres_text(cell_m) + " (cell_m) represent wavelengths of " +
-         micrometres_text(kSamplesPerWave * cell_m) +
-         " and longer; use a texture without shorter wavelengths, or a cell_m of " +
-         micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)) +
-         " or less, which takes longer to render. A step at the seam of a repeated tile counts as "
-         "the shortest wavelength";
+  return phrase("Protocols",
+                ": its shortest wavelength is %1 µm, and samples of %2 µm (cell_m) represent "
+                "wavelengths of %3 µm and longer; use a texture without shorter wavelengths, or a "
+                "cell_m of %4 µm or less, which takes longer to render. A step at the seam of a "
+                "repeated tile counts as the shortest wavelength")
+      .with(micrometres_text(finest_m), micrometres_text(cell_m),
+            micrometres_text(kSamplesPerWave * cell_m),
+            micrometres_text(rounded_down_m(finest_m / kSamplesPerWave)));
 }
 
 struct LimitBeyond {
   std::string limit{};
-  std::string sentence{};
+  Phrase sentence{};
 };
 
 /// The limits that the model counted in at least half of the contact; the first count is the
@@ -152,23 +163,32 @@ std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
   const std::uint64_t contact = counts.front().ticks;
   for (const NamedCount& count : counts.subspan(1)) {
     if (contact == 0 || 2 * count.ticks < contact) continue;
-    std::string sentence = "the stimulus \"" + described.name + '"';
+    Phrase with_texture{};
     if (!described.texture.empty()) {
-      sentence += " with the texture \"" + described.texture + '"';
-      if (described.height_field) sentence += " (" + *described.height_field + ')';
+      std::string texture = in_quotes(described.texture);
+      if (described.height_field) texture += " (" + *described.height_field + ')';
+      with_texture = phrase("Protocols", " with the texture %1").with(texture);
     }
-    if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
-    sentence += " violates the assumption " + std::string(count.name) + " of " + described.model +
-                " (ticks of contact: " + std::to_string(count.ticks) + " of " +
-                std::to_string(contact) +
-                "); where it does, its force differs from the declared force";
+    Phrase under_tool{};
+    if (described.tool) {
+      under_tool = phrase("Protocols", " under the tool %1").with(in_quotes(described.tool->name));
+    }
+    const std::string limit(count.name);
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
-    const std::string correction =
-        count.name == "fine_detail" && has_bodies ? why_too_fine(stimulus) : "";
-    sentence += correction.empty()
-                    ? " (see \"Counted conditions\" in docs/models/" + described.model + ".md)"
-                    : correction;
-    warnings.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
+    Phrase correction = limit == "fine_detail" && has_bodies ? why_too_fine(stimulus) : Phrase();
+    if (correction.empty()) {
+      correction = phrase("Protocols", " (see \"Counted conditions\" in docs/models/%1.md)")
+                       .with(described.model);
+    }
+    const Phrase sentence =
+        phrase("Protocols",
+               "the stimulus %1%2%3 violates the assumption %4 of %5 (ticks of contact: %6 of "
+               "%7); where it does, its force differs from the declared force%8");
+    warnings.push_back(
+        {.limit = limit,
+         .sentence = sentence.with(in_quotes(described.name), with_texture, under_tool, limit,
+                                   described.model, std::to_string(count.ticks),
+                                   std::to_string(contact), correction)});
   }
   return warnings;
 }
@@ -210,9 +230,7 @@ RehearsedStimuli rehearsed_stimuli(const CheckedProtocol& checked, StimulusBuild
           never_touched(stimulus, *builder.body(*stimulus.surface, BodyRole::surface).mesh, habits,
                         touch)));
     } catch (const std::exception& error) {
-      found.problems.push_back(checked.at_stimulus(
-          planned.stimulus_template,
-          "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + message_of(error)));
+      found.problems.push_back(checked.cannot_be_rendered(planned, phrase_of(error)));
     }
   }
   return found;

@@ -10,9 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tasks/warnings/plugin_warnings.h"
+#include "app/words/phrased_error.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
-#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -48,14 +49,16 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study) {
   const auto use = other_text_of_version(study, protocol.source, SessionsOf::everybody);
   if (!use) return {};
-  const std::string sessions =
-      use->sessions == 1 ? "1 session" : std::to_string(use->sessions) + " sessions";
+  const Phrase sessions =
+      (use->sessions == 1 ? phrase("Protocols", "%1 session") : phrase("Protocols", "%1 sessions"))
+          .with(std::to_string(use->sessions));
   return JsonDocument(protocol.source, file_name)
-      .at_key("/version", "the study has " + sessions + " of " + protocol.name + ' ' +
-                              use->version +
-                              " with another text of the protocol; their responses would be "
-                              "analysed together with new ones; give the changed protocol a new "
-                              "version");
+      .at_key("/version",
+              phrase("Protocols",
+                     "the study has %1 of %2 with another text of the protocol; their responses "
+                     "would be analysed together with new ones; give the changed protocol a new "
+                     "version")
+                  .with(sessions, protocol.name + ' ' + use->version));
 }
 
 std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked, const Study& study,
@@ -75,10 +78,11 @@ std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked,
     return warnings_about_sessions(checked, Study::open(study, Access::read_only), models);
   } catch (const std::exception& error) {
     return {JsonDocument(checked.protocol.source, checked.file_name)
-                .at_key("/version",
-                        "whether the study has sessions with another text of this version, or with "
-                        "another build of a plug-in, could not be determined: " +
-                            message_of(error))};
+                .at_key("/version", phrase("Protocols",
+                                           "whether the study has sessions with another text of "
+                                           "this version, or with another build of a plug-in, "
+                                           "could not be determined: %1")
+                                        .with(phrase_of(error)))};
   }
 }
 

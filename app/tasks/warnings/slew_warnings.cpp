@@ -14,6 +14,7 @@
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 #include "device/virtual_hand.h"
+#include "protocols/design/wording.h"
 
 namespace asperity {
 namespace {
@@ -166,7 +167,7 @@ TouchDowns limited_touch_downs(const PreparedStimulus& stimulus, const Motion& s
 
 struct LimitedMotions {
   /// "3 of 900 ticks of strokes at 300 mm/s and 1 N and in 8 of 8 touch-downs at 50 mm/s"; empty if nothing is limited.
-  std::string text{};
+  Phrase text{};
   Nearness nearness = Nearness::far;
 };
 
@@ -191,14 +192,18 @@ LimitedMotions limited_motions(const PreparedStimulus& stimulus, const Protocol&
   LimitedMotions motions{.nearness = slew.near_ticks + touch_downs.near > 0 ? Nearness::near
                                                                             : Nearness::far};
   if (slew.limited_ticks > 0) {
-    motions.text = std::to_string(slew.limited_ticks) + " of " + std::to_string(slew.ticks) +
-                   " ticks of strokes at " + number_text(1000.0 * speed_m_per_s) + " mm/s and " +
-                   number_text(force_N) + " N";
+    motions.text = phrase("Protocols", "%1 of %2 ticks of strokes at %3 mm/s and %4 N")
+                       .with(std::to_string(slew.limited_ticks), std::to_string(slew.ticks),
+                             number_text(1000.0 * speed_m_per_s), number_text(force_N));
   }
   if (touch_downs.limited > 0) {
-    motions.text += (motions.text.empty() ? "" : " and in ") + std::to_string(touch_downs.limited) +
-                    " of " + std::to_string(kTouchDowns) + " touch-downs at " +
-                    number_text(1000.0 * HandHabits{}.approach_speed_m_per_s) + " mm/s";
+    const Phrase limited =
+        phrase("Protocols", "%1 of %2 touch-downs at %3 mm/s")
+            .with(std::to_string(touch_downs.limited), std::to_string(kTouchDowns),
+                  number_text(1000.0 * HandHabits{}.approach_speed_m_per_s));
+    motions.text = motions.text.empty()
+                       ? limited
+                       : phrase("Protocols", "%1 and in %2").with(motions.text, limited);
   }
   return motions;
 }
@@ -226,13 +231,13 @@ std::vector<Diagnostic> warnings_about_slew(const CheckedProtocol& checked,
         reported.insert(where);
         warnings.push_back(checked.at_stimulus(
             one.planned.stimulus_template,
-            "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
-                ") would be limited in " + motions.text + " in the exploration \"" +
-                one.exploration.name +
-                "\": within a millisecond it would grow or turn by more than " +
-                number_text(ForceLimits{}.slew_N) +
-                " N, and another texture would be felt; lower the amplitude, the "
-                "stiffness or the speed"));
+            phrase("Protocols",
+                   "the force of the stimulus %1 (model %2) would be limited in %3 in the "
+                   "exploration %4: within a millisecond it would grow or turn by more than %5 N, "
+                   "and another texture would be felt; lower the amplitude, the stiffness or the "
+                   "speed")
+                .with(in_quotes(stimulus.name), stimulus.model, motions.text,
+                      in_quotes(one.exploration.name), number_text(ForceLimits{}.slew_N))));
         return motions.nearness;
       });
   return warnings;

@@ -16,6 +16,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "stimuli/heights/synthetic_surface.h"
 
@@ -100,8 +101,11 @@ std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
     const std::filesystem::path file = study / use.height_field;
     const HeightFieldProvenance made = provenance_of(file);
     const std::string place = pointer_to("/textures", name);
-    const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), used in " +
-                              each_in_quotes(use.stimuli) + ": ";
+    const auto warn = [&, &name = name, &use = use](const std::string& at, const Phrase& problem) {
+      warnings.push_back(document.at(
+          at, phrase("Protocols", "the texture %1 (%2), used in %3: %4")
+                  .with(in_quotes(name), use.height_field, each_in_quotes(use.stimuli), problem)));
+    };
     const auto texture = protocol.textures.find(name);
     const std::optional<double> spacing_m = spacing_among(made);
     if (texture != protocol.textures.end() && texture->second.spacing_m && spacing_m &&
@@ -109,15 +113,18 @@ std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
       const double said_m = *texture->second.spacing_m;
       const double felt_m = *spacing_m / motion_scale;
       if (std::abs(said_m - felt_m) > kSameSpacing * felt_m) {
-        warnings.push_back(document.at(
-            place + "/spacing_m",
-            whose + "the protocol states a spacing of " + number_text(said_m) +
-                " m, but according to its sidecar the file was made with " +
-                number_text(*spacing_m) + " m" +
-                (motion_scale == 1.0 ? std::string()
-                                     : " (" + number_text(felt_m) + " m at a motion scale of " +
-                                           number_text(motion_scale) + ")") +
-                "; use a spacing_m of " + number_text(felt_m) + " or another file"));
+        const Phrase sentence =
+            motion_scale == 1.0
+                ? phrase("Protocols",
+                         "the protocol states a spacing of %1 m, but according to its sidecar the "
+                         "file was made with %2 m; use a %3 of %4 or another file")
+                : phrase("Protocols",
+                         "the protocol states a spacing of %1 m, but according to its sidecar the "
+                         "file was made with %2 m (%4 m at a motion scale of %5); use a %3 of %4 "
+                         "or another file");
+        warn(place + "/spacing_m",
+             sentence.with(number_text(said_m), number_text(*spacing_m), key_name("spacing_m"),
+                           number_text(felt_m), number_text(motion_scale)));
       }
     }
     const HeightField::Grid grid = load_height_field(file).field->grid();
@@ -126,9 +133,9 @@ std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
     const double once_m = canvas.width_m * (1.0 + kSameSpacing);
     const bool is_repeated = use.widest_m.x > once_m || use.widest_m.y > once_m;
     const auto seam = seam_of(made.kind, made.parameters, canvas);
-    if (seam && is_repeated) warnings.push_back(document.at(place, whose + text_of(*seam)));
+    if (seam && is_repeated) warn(place, text_of(*seam));
     const auto coarse = coarse_samples_of(made.kind, made.parameters, canvas);
-    if (coarse) warnings.push_back(document.at(place, whose + text_of(*coarse)));
+    if (coarse) warn(place, text_of(*coarse));
   }
   return warnings;
 }

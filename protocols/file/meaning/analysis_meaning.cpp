@@ -67,19 +67,25 @@ void check_constructs(CheckedDocument& checked) {
       const auto here = construct.scales.begin() + static_cast<std::ptrdiff_t>(i);
       const auto found = scales.find(scale);
       if (found == scales.end()) {
-        checked.report(at, "no main block of ratings has a scale " + in_quotes(scale) +
-                               (known.empty() ? "; add one" : "; use " + one_of(known)));
+        checked.report(
+            at,
+            (known.empty() ? phrase("Protocols", "no main block of ratings has a scale %1; add one")
+                           : phrase("Protocols", "no main block of ratings has a scale %1; use %2"))
+                .with(in_quotes(scale), joined_by_or(quoted(known))));
       } else if (std::find(construct.scales.begin(), here, scale) != here) {
-        checked.report(at, "the scale " + in_quotes(scale) + " is named twice; name it once");
+        checked.report(at, phrase("Protocols", "the scale %1 is named twice; name it once")
+                               .with(in_quotes(scale)));
       } else if (first == nullptr) {
         first = &found->second;
       } else if (found->second.minimum != first->minimum ||
                  found->second.maximum != first->maximum) {
         checked.report(
-            at, "the scales of a construct are added up and have one range: " + in_quotes(scale) +
-                    " has " + digits(found->second.minimum) + " to " +
-                    digits(found->second.maximum) + ", the first scale " + digits(first->minimum) +
-                    " to " + digits(first->maximum) + "; give them the same minimum and maximum");
+            at, phrase("Protocols",
+                       "the scales of a construct are added up and have one range: %1 has %2 to "
+                       "%3, the first scale %4 to %5; give them the same minimum and maximum")
+                    .with(in_quotes(scale), digits(found->second.minimum),
+                          digits(found->second.maximum), digits(first->minimum),
+                          digits(first->maximum)));
       }
     }
     for (std::size_t i = 0; i < construct.reverse_keyed.size(); ++i) {
@@ -89,8 +95,8 @@ void check_constructs(CheckedDocument& checked) {
         continue;
       }
       checked.report(pointer_to(pointer + "/reverse_keyed", i),
-                     in_quotes(scale) + " is not one of the scales of this construct; use " +
-                         one_of(construct.scales));
+                     phrase("Protocols", "%1 is not one of the scales of this construct; use %2")
+                         .with(in_quotes(scale), joined_by_or(quoted(construct.scales))));
     }
   }
 }
@@ -106,10 +112,10 @@ void check_analysis(CheckedDocument& checked) {
                                        "exclude"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string guess = did_you_mean(key, known);
-    if (!guess.empty()) {
+    if (const auto nearest = nearest_name(key, known)) {
       checked.report_key("/analysis/" + key,
-                         in_quotes(key) + " is not a key of the analysis" + guess);
+                         phrase("Protocols", "%1 is not a key of the analysis; did you mean %2?")
+                             .with(in_quotes(key), key_name(*nearest)));
     }
   }
   const AnalysisDeclaration& declared = checked.protocol.analysis;
@@ -117,9 +123,12 @@ void check_analysis(CheckedDocument& checked) {
     const std::set<std::string> items = items_of_main_blocks(checked);
     if (!items.contains(*declared.target)) {
       const std::vector<std::string> names(items.begin(), items.end());
-      checked.report("/analysis/target", "the target " + in_quotes(*declared.target) +
-                                             " cannot be chosen in a main block" +
-                                             (names.empty() ? "" : "; use " + one_of(names)));
+      checked.report(
+          "/analysis/target",
+          (names.empty()
+               ? phrase("Protocols", "the target %1 cannot be chosen in a main block")
+               : phrase("Protocols", "the target %1 cannot be chosen in a main block; use %2"))
+              .with(in_quotes(*declared.target), joined_by_or(quoted(names))));
     }
   }
   const bool has_catch_trials = std::any_of(
@@ -129,15 +138,19 @@ void check_analysis(CheckedDocument& checked) {
       });
   if (declared.exclude && !has_catch_trials) {
     checked.report("/analysis/exclude",
-                   "no main block has catch trials, by whose errors participants are excluded; add "
-                   "\"catch_trials\" to the procedure of a discrimination, or remove this key");
+                   phrase("Protocols",
+                          "no main block has catch trials, by whose errors participants are "
+                          "excluded; add %1 to the procedure of a discrimination, or remove this "
+                          "key")
+                       .with(key_name("catch_trials")));
   }
   check_constructs(checked);
   std::vector<std::string> tests{};
-  std::string kinds{};
+  Phrase kinds{};
   const std::vector<const ExperimentKind*> analysed = analysed_kinds_of(checked.protocol);
   for (const ExperimentKind* const kind : analysed) {
-    kinds += (kinds.empty() ? "" : " or a ") + std::string(kind->name);
+    const Phrase& name = kind->name;
+    kinds = kinds.empty() ? name : phrase("Protocols", "%1 or a %2").with(kinds, name);
     for (const KindTest& test : kind->tests) {
       if (std::find(tests.begin(), tests.end(), test.name) == tests.end()) {
         tests.emplace_back(test.name);
@@ -155,18 +168,21 @@ void check_analysis(CheckedDocument& checked) {
     const std::string pointer = pointer_to("/analysis/family", i);
     const auto here = declared.family.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(tests.begin(), tests.end(), name) == tests.end()) {
-      checked.report(pointer,
-                     "a " + kinds + " has no test " + in_quotes(name) + "; use " + one_of(tests));
+      checked.report(pointer, phrase("Protocols", "a %1 has no test %2; use %3")
+                                  .with(kinds, in_quotes(name), joined_by_or(quoted(tests))));
     } else if (std::find(declared.family.begin(), here, name) != here) {
-      checked.report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
+      checked.report(
+          pointer,
+          phrase("Protocols", "the test %1 is named twice; name it once").with(in_quotes(name)));
     } else if (compares_groups(name) && !checked.protocol.groups) {
       checked.report(pointer,
-                     "the test " + in_quotes(name) +
-                         " compares the groups of the protocol, which has none: add the key "
-                         "groups");
+                     phrase("Protocols",
+                            "the test %1 compares the groups of the protocol, which has none: add "
+                            "the key %2")
+                         .with(in_quotes(name), key_name("groups")));
     } else if (!declared.target && needs_target(name)) {
-      checked.report(pointer,
-                     "the test " + in_quotes(name) + " requires a target: name it with \"target\"");
+      checked.report(pointer, phrase("Protocols", "the test %1 requires a target: name it with %2")
+                                  .with(in_quotes(name), key_name("target")));
     }
   }
   const auto has = [&declared](const char* name) {
@@ -174,7 +190,8 @@ void check_analysis(CheckedDocument& checked) {
   };
   if (has("pairs") && has("target_pairs")) {
     checked.report("/analysis/family",
-                   "\"pairs\" includes the pairs of the target; keep one of the two");
+                   phrase("Protocols", "%1 includes the pairs of the target; keep one of the two")
+                       .with(in_quotes("pairs")));
   }
 }
 

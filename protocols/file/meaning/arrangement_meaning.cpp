@@ -23,17 +23,20 @@ void check_strokes_of_visit(CheckedDocument& checked, const Block& block,
   const int strokes = *block.arrangement.strokes;
   const double of_all_visits = strokes * block.arrangement.minimum_visits;
   if (exploration.strokes.minimum && of_all_visits < *exploration.strokes.minimum) {
-    checked.report(place, "the exploration " + in_quotes(exploration.name) + " requires at least " +
-                              digits(*exploration.strokes.minimum) +
-                              " strokes; state more strokes, or lower its minimum");
+    checked.report(place,
+                   phrase("Protocols",
+                          "the exploration %1 requires at least %2 strokes; state more "
+                          "strokes, or lower its minimum")
+                       .with(in_quotes(exploration.name), digits(*exploration.strokes.minimum)));
   }
   if (exploration.strokes.maximum &&
       of_all_visits + block.arrangement.minimum_visits > *exploration.strokes.maximum) {
-    checked.report(place, "the exploration " + in_quotes(exploration.name) +
-                              " permits no more strokes than " +
-                              digits(*exploration.strokes.maximum) +
-                              ", and the stroke that has begun at the end of a visit counts; state "
-                              "fewer strokes, or raise its maximum");
+    checked.report(place,
+                   phrase("Protocols",
+                          "the exploration %1 permits no more strokes than %2, and the "
+                          "stroke that has begun at the end of a visit counts; state fewer "
+                          "strokes, or raise its maximum")
+                       .with(in_quotes(exploration.name), digits(*exploration.strokes.maximum)));
   }
 }
 
@@ -43,7 +46,8 @@ void check_exposure(CheckedDocument& checked, const Block& block, const std::str
     const nlohmann::json::json_pointer at(place + "/exposure");
     if (!checked.document.root().contains(at)) return;
     checked.report(place + "/exposure",
-                   "state what ends a visit: \"strokes\" or \"contact_s\"; or remove this key");
+                   phrase("Protocols", "state what ends a visit: %1 or %2; or remove this key")
+                       .with(key_name("strokes"), key_name("contact_s")));
     return;
   }
   for (const auto& [name, at] : texts_of(checked, block.exploration, "")) {
@@ -56,37 +60,43 @@ void check_exposure(CheckedDocument& checked, const Block& block, const std::str
     if (*arrangement.contact_s * arrangement.minimum_visits <
         exploration->second.minimum_contact_s) {
       checked.report(place + "/exposure/contact_s",
-                     "the exploration " + in_quotes(name) + " requires a contact of at least " +
-                         digits(exploration->second.minimum_contact_s) +
-                         " s; state a longer contact_s, or lower minimum_contact_s");
+                     phrase("Protocols",
+                            "the exploration %1 requires a contact of at least %2 s; state a "
+                            "longer %3, or lower %4")
+                         .with(in_quotes(name), digits(exploration->second.minimum_contact_s),
+                               key_name("contact_s"), key_name("minimum_contact_s")));
     } else if (*arrangement.contact_s + kLifting_s > exploration->second.maximum_contact_s) {
-      checked.report(place + "/exposure/contact_s",
-                     "the exploration " + in_quotes(name) + " permits a contact of at most " +
-                         digits(exploration->second.maximum_contact_s) +
-                         " s, and the hand needs about " + digits(kLifting_s) +
-                         " s to lift; state a shorter contact_s, or raise maximum_contact_s");
+      checked.report(
+          place + "/exposure/contact_s",
+          phrase("Protocols",
+                 "the exploration %1 permits a contact of at most %2 s, and the hand "
+                 "needs about %3 s to lift; state a shorter %4, or raise %5")
+              .with(in_quotes(name), digits(exploration->second.maximum_contact_s),
+                    digits(kLifting_s), key_name("contact_s"), key_name("maximum_contact_s")));
     }
   }
 }
 
 /// Bodies have a place of their own.
 void check_plane_models(CheckedDocument& checked, const Block& block, const std::string& at,
-                        const std::string& what) {
+                        const Phrase& what) {
   for (const Protocol::Presented& presented : block.presented) {
     const auto stimulus = checked.protocol.stimuli.find(presented.stimulus);
     if (stimulus == checked.protocol.stimuli.end()) continue;
     if (is_point_on_body(stimulus->second)) {
-      checked.report(at, "the stimulus " + in_quotes(presented.stimulus) +
-                             " lies on a body, which cannot " + what +
-                             "; remove its \"surface\", or use another arrangement");
+      checked.report(at, phrase("Protocols",
+                                "the stimulus %1 lies on a body, which cannot %2; remove its %3, "
+                                "or use another arrangement")
+                             .with(in_quotes(presented.stimulus), what, key_name("surface")));
       return;
     }
     for (const auto& [name, where] : texts_of(checked, stimulus->second.model, "")) {
       const auto model = checked.models.find(name);
       if (model == checked.models.end() || !model->second->needs_bodies) continue;
-      checked.report(at, "the stimulus " + in_quotes(presented.stimulus) + " has the model " +
-                             in_quotes(name) + ", whose bodies cannot " + what +
-                             "; use a model of a plane, or another arrangement");
+      checked.report(at, phrase("Protocols",
+                                "the stimulus %1 has the model %2, whose bodies cannot %3; use a "
+                                "model of a plane, or another arrangement")
+                             .with(in_quotes(presented.stimulus), in_quotes(name), what));
       return;
     }
   }
@@ -97,46 +107,57 @@ void check_side_by_side(CheckedDocument& checked, const Block& block, const std:
   const std::size_t surfaces = std::max(block.presented.size(), surfaces_in_trial(block));
   if (surfaces < 2 || surfaces > kMostSideBySide) {
     checked.report(place + "/surfaces",
-                   "2 to 4 surfaces can lie side by side, but the block presents " +
-                       std::to_string(surfaces) + "; use another arrangement");
+                   phrase("Protocols",
+                          "2 to 4 surfaces can lie side by side, but the block presents %1; use "
+                          "another arrangement")
+                       .with(std::to_string(surfaces)));
     return;
   }
   const Arrangement& arrangement = block.arrangement;
   if (arrangement.maximum_visits) {
     checked.report_key(
         place + "/visits/maximum",
-        "the hand moves freely over patches, so that visits have no maximum; remove this key");
+        phrase("Protocols",
+               "the hand moves freely over patches, so that visits have no maximum; remove this "
+               "key"));
   }
   if (checked.protocol.scene) {
-    checked.report("/environment/scene", "the scene shows one surface, but the block " +
-                                             in_quotes(block.name) +
-                                             " presents patches side by side; remove this key");
+    checked.report("/environment/scene",
+                   phrase("Protocols",
+                          "the scene shows one surface, but the block %1 presents patches side by "
+                          "side; remove this key")
+                       .with(in_quotes(block.name)));
   }
   const double width_m = width_side_by_side_m(checked.protocol.patch, arrangement, surfaces);
   const double least_m = 2.0 * kBlend_m + checked.protocol.patch.edge_width_m;
   if (width_m < least_m) {
-    checked.report(place + "/gap_m", "the patches would be " + fixed(1000.0 * width_m, 1) +
-                                         " mm wide, but need at least " +
-                                         fixed(1000.0 * least_m, 1) +
-                                         " mm; state a smaller gap or a wider surface");
+    checked.report(place + "/gap_m",
+                   phrase("Protocols",
+                          "the patches would be %1 mm wide, but need at least %2 mm; state a "
+                          "smaller gap or a wider surface")
+                       .with(fixed(1000.0 * width_m, 1), fixed(1000.0 * least_m, 1)));
   }
-  check_plane_models(checked, block, place + "/surfaces", "lie side by side");
+  check_plane_models(checked, block, place + "/surfaces", phrase("Protocols", "lie side by side"));
 }
 
 void check_drawn_phase(CheckedDocument& checked, const Block& block, const std::string& place) {
   if (checked.protocol.scene == VisualTexture::on) {
     checked.report(
         place + "/phase",
-        "the scene shows the relief of a surface, which would not agree with a drawn phase; use "
-        "\"fixed\", or another scene");
+        phrase("Protocols",
+               "the scene shows the relief of a surface, which would not agree with a drawn phase; "
+               "use %1, or another scene")
+            .with(in_quotes("fixed")));
   }
   if (checked.protocol.patch.tiling == Tiling::bounded) {
     checked.report(
         place + "/phase",
-        "a texture that is not repeated can be felt at one place only; use \"fixed\", or the "
-        "tiling \"repeat\"");
+        phrase("Protocols",
+               "a texture that is not repeated can be felt at one place only; use %1, or the "
+               "tiling %2")
+            .with(in_quotes("fixed"), in_quotes("repeat")));
   }
-  check_plane_models(checked, block, place + "/phase", "have a drawn phase");
+  check_plane_models(checked, block, place + "/phase", phrase("Protocols", "have a drawn phase"));
 }
 
 void check_rove(CheckedDocument& checked, const Block& block, const std::string& place) {
@@ -144,10 +165,12 @@ void check_rove(CheckedDocument& checked, const Block& block, const std::string&
   if (!block.rove.raised_m.empty() && block.arrangement.surfaces == Placement::side_by_side) {
     checked.report_key(
         place + "/raised_m",
-        "patches side by side lie in one plane; remove this key, or use another arrangement");
+        phrase("Protocols",
+               "patches side by side lie in one plane; remove this key, or use another "
+               "arrangement"));
   }
   if (!block.rove.raised_m.empty())
-    check_plane_models(checked, block, place + "/raised_m", "be raised");
+    check_plane_models(checked, block, place + "/raised_m", phrase("Protocols", "be raised"));
 }
 
 }  // namespace
@@ -164,26 +187,33 @@ void check_arrangement(CheckedDocument& checked, const Block& block, const std::
     if (!checked.document.root().contains(at)) continue;
     checked.report_key(
         of_trial + "/allow_revisit",
-        "the arrangement determines how often a surface can be felt; remove this key, and "
-        "state \"visits\" in the arrangement");
+        phrase("Protocols",
+               "the arrangement determines how often a surface can be felt; remove this key, and "
+               "state %1 in the arrangement")
+            .with(key_name("visits")));
   }
   if (arrangement.interval && object.contains("pause_between_surfaces_s")) {
-    checked.report_key(pointer + "/pause_between_surfaces_s",
-                       "interval_s of the arrangement replaces this pause; keep one of the two");
+    checked.report_key(
+        pointer + "/pause_between_surfaces_s",
+        phrase("Protocols", "%1 of the arrangement replaces this pause; keep one of the two")
+            .with(key_name("interval_s")));
   }
   if (!arrangement.interval && arrangement.surfaces != Placement::sequential &&
       object.contains("pause_between_surfaces_s")) {
-    checked.report_key(pointer + "/pause_between_surfaces_s",
-                       "this pause applies only to surfaces in sequence; remove this key");
+    checked.report_key(
+        pointer + "/pause_between_surfaces_s",
+        phrase("Protocols", "this pause applies only to surfaces in sequence; remove this key"));
   }
   if (arrangement.interval && arrangement.interval->shortest_s > arrangement.interval->longest_s) {
-    checked.report(place + "/interval_s/shortest",
-                   "the lower limit is above the upper limit; exchange the two numbers");
+    checked.report(
+        place + "/interval_s/shortest",
+        phrase("Protocols", "the lower limit is above the upper limit; exchange the two numbers"));
   }
   if (arrangement.maximum_visits && *arrangement.maximum_visits < arrangement.minimum_visits) {
-    checked.report(place + "/visits/maximum", "the maximum is below the minimum of " +
-                                                  std::to_string(arrangement.minimum_visits) +
-                                                  "; raise it, or lower the minimum");
+    checked.report(place + "/visits/maximum",
+                   phrase("Protocols",
+                          "the maximum is below the minimum of %1; raise it, or lower the minimum")
+                       .with(std::to_string(arrangement.minimum_visits)));
   }
   check_exposure(checked, block, place);
   if (arrangement.surfaces == Placement::side_by_side) check_side_by_side(checked, block, place);

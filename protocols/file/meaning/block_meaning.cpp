@@ -27,8 +27,9 @@ void check_anchor_pair(CheckedDocument& checked, const Block& block, const std::
   if (!block.all_pairs) return;
   if (block.anchor_pair.size() != 2) {
     checked.report(block.anchor_pair.empty() ? place.substr(0, place.rfind('/')) : place,
-                   "the anchor does not set the levels of " + in_quotes(block.all_pairs->factor) +
-                       "; write the two levels under \"anchor_pair\"");
+                   phrase("Protocols",
+                          "the anchor does not set the levels of %1; write the two levels under %2")
+                       .with(in_quotes(block.all_pairs->factor), key_name("anchor_pair")));
     return;
   }
   for (std::size_t i = 0; i < block.anchor_pair.size(); ++i) {
@@ -36,8 +37,9 @@ void check_anchor_pair(CheckedDocument& checked, const Block& block, const std::
   }
   if (block.anchor_pair[0] == block.anchor_pair[1] && !block.all_pairs->with_identical) {
     checked.report(place,
-                   "both levels are equal, and the pairs of this block are different; write two "
-                   "different levels");
+                   phrase("Protocols",
+                          "both levels are equal, and the pairs of this block are different; write "
+                          "two different levels"));
   }
 }
 
@@ -48,8 +50,9 @@ void check_anchor(CheckedDocument& checked, const Block& block, const std::strin
     if (stated.contains("anchor_at")) {
       checked.report_key(
           place + "_at",
-          "without \"anchor\" there are no anchors to place; add \"anchor\", or remove this "
-          "key");
+          phrase("Protocols",
+                 "without %1 there are no anchors to place; add %1, or remove this key")
+              .with(key_name("anchor")));
     }
     return;
   }
@@ -63,22 +66,26 @@ void check_anchor(CheckedDocument& checked, const Block& block, const std::strin
   for (const auto& [name, level] : block.anchor) {
     const bool is_varied = block.vary && block.vary->factor == name;
     if (is_varied && !std::holds_alternative<double>(level)) {
-      checked.report(pointer_to(place, name),
-                     "the level of " + in_quotes(name) +
-                         " is a number, in the measure of \"vary\"; write a "
-                         "number");
+      checked.report(
+          pointer_to(place, name),
+          phrase("Protocols", "the level of %1 is a number, in the measure of %2; write a number")
+              .with(in_quotes(name), key_name("vary")));
     }
     if (!is_varied && !check_level(checked, name, level, pointer_to(place, name))) continue;
     if (needed.erase(name) == 0) {
       checked.report_key(pointer_to(place, name),
-                         "the trials of this block do not set the factor " + in_quotes(name) +
-                             "; remove it from the anchor");
+                         phrase("Protocols",
+                                "the trials of this block do not set the factor %1; remove it from "
+                                "the anchor")
+                             .with(in_quotes(name)));
     }
   }
   for (const std::string& name : needed) {
     checked.report(stated.contains("anchor") ? place : pointer,
-                   "the anchor does not set " + in_quotes(name) +
-                       ", which the trials of this block set; add it to the anchor");
+                   phrase("Protocols",
+                          "the anchor does not set %1, which the trials of this block set; add it "
+                          "to the anchor")
+                       .with(in_quotes(name)));
   }
 }
 
@@ -90,9 +97,11 @@ void check_presented(CheckedDocument& checked, const Block& block, const std::st
     const Protocol::Presented& presented = block.presented[i];
     const std::string place = pointer_to(pointer + "/presented", i);
     if (std::find(roles.begin(), roles.end(), presented.role) == roles.end()) {
-      checked.report(place + "/role", "in this kind of protocol the role of every surface is " +
-                                          one_of({roles.begin(), roles.end()}) +
-                                          "; write this role");
+      checked.report(
+          place + "/role",
+          phrase("Protocols",
+                 "in this kind of protocol the role of every surface is %1; write this role")
+              .with(joined_by_or(quoted({roles.begin(), roles.end()}))));
     }
     for (const auto& [factor, level] : presented.with) {
       check_level(checked, factor, level, pointer_to(place + "/with", factor));
@@ -109,19 +118,22 @@ void check_presented(CheckedDocument& checked, const Block& block, const std::st
       if (block.all_pairs) given.insert(block.all_pairs->factor);
       for (const std::string& factor : needed) {
         if (given.contains(factor) || presented.with.contains(factor)) continue;
-        checked.report(place,
-                       "the stimulus " + in_quotes(presented.stimulus) + " needs the factor " +
-                           in_quotes(factor) +
-                           ", which the trials of this block do not set: cross, list or draw it, "
-                           "run the block for_each of its levels, or fix it here with \"with\"");
+        checked.report(
+            place, phrase("Protocols",
+                          "the stimulus %1 needs the factor %2, which the trials of this block "
+                          "do not set: cross, list or draw it, run the block %3 of its levels, "
+                          "or fix it here with %4")
+                       .with(in_quotes(presented.stimulus), in_quotes(factor), key_name("for_each"),
+                             key_name("with")));
       }
     }
     for (const auto& [factor, level] : presented.with) {
       if (!needed.contains(factor)) {
         checked.report_key(pointer_to(place + "/with", factor),
-                           "the stimulus " + in_quotes(presented.stimulus) +
-                               " does not depend on the factor " + in_quotes(factor) +
-                               "; remove this key");
+                           phrase("Protocols",
+                                  "the stimulus %1 does not depend on the factor %2; remove this "
+                                  "key")
+                               .with(in_quotes(presented.stimulus), in_quotes(factor)));
       }
     }
   }
@@ -137,17 +149,19 @@ void check_shared_pairs(CheckedDocument& checked, const Block& block, const std:
     if (other.all_pairs->parts == pairs.parts) continue;
     checked.report(
         pointer + "/all_pairs/parts",
-        "the pairs of the block " + in_quotes(name) + " are divided into " +
-            std::to_string(other.all_pairs->parts) +
-            " parts, and a participant has the same part of all blocks; write this number");
+        phrase("Protocols",
+               "the pairs of the block %1 are divided into %2 parts, and a participant has the "
+               "same part of all blocks; write this number")
+            .with(in_quotes(name), std::to_string(other.all_pairs->parts)));
     return;
   }
   const std::size_t rounds = round_count(factor->second.levels.size());
   if (static_cast<std::size_t>(pairs.parts) <= rounds) return;
   checked.report(pointer + "/all_pairs/parts",
-                 "the pairs of " + std::to_string(factor->second.levels.size()) +
-                     " levels can be divided into at most " + std::to_string(rounds) +
-                     " parts; write this number or a smaller one");
+                 phrase("Protocols",
+                        "the pairs of %1 levels can be divided into at most %2 parts; write this "
+                        "number or a smaller one")
+                     .with(std::to_string(factor->second.levels.size()), std::to_string(rounds)));
 }
 
 /// The two surfaces of a pair are one stimulus with two levels of the factor.
@@ -160,102 +174,122 @@ void check_pairs(CheckedDocument& checked, const Block& block, const std::string
   const auto factor = checked.protocol.factors.find(name);
   if (factor == checked.protocol.factors.end()) return;
   if (factor->second.levels.size() < 2) {
-    checked.report(at_factor, "the factor " + in_quotes(name) +
-                                  " has one level and therefore no pairs; "
-                                  "give it two levels or more");
+    checked.report(at_factor, phrase("Protocols",
+                                     "the factor %1 has one level and therefore no pairs; give it "
+                                     "two levels or more")
+                                  .with(in_quotes(name)));
   }
   const auto& stated = checked.document.root().at("blocks").at(block.name).at("presented");
   if (stated.size() != 1) {
     checked.report(
         pointer + "/presented",
-        "with all_pairs one stimulus is presented with two levels of the factor; list it once");
+        phrase("Protocols",
+               "with %1 one stimulus is presented with two levels of the factor; list it once")
+            .with(key_name("all_pairs")));
     return;
   }
   const Protocol::Presented& presented = block.presented.front();
   const std::string place = pointer_to(pointer + "/presented", 0);
   if (presented.with.contains(name)) {
-    checked.report_key(pointer_to(place + "/with", name),
-                       "the pairs set the factor " + in_quotes(name) + "; remove this key");
+    checked.report_key(
+        pointer_to(place + "/with", name),
+        phrase("Protocols", "the pairs set the factor %1; remove this key").with(in_quotes(name)));
   }
   if (!presented.item.empty()) {
-    checked.report_key(place + "/item",
-                       "with all_pairs each surface has the name of its level; remove this key");
+    checked.report_key(
+        place + "/item",
+        phrase("Protocols", "with %1 each surface has the name of its level; remove this key")
+            .with(key_name("all_pairs")));
   }
   const auto stimulus = checked.protocol.stimuli.find(presented.stimulus);
   if (stimulus != checked.protocol.stimuli.end() &&
       !factors_needed_by(stimulus->second).contains(name)) {
     checked.report(at_factor,
-                   "the stimulus " + in_quotes(presented.stimulus) +
-                       " does not depend on the factor " + in_quotes(name) +
-                       ", so that the two surfaces of a pair would be the same; bind its model, "
-                       "texture, a body or a parameter to the factor");
+                   phrase("Protocols",
+                          "the stimulus %1 does not depend on the factor %2, so that the two "
+                          "surfaces of a pair would be the same; bind its model, texture, a body "
+                          "or a parameter to the factor")
+                       .with(in_quotes(presented.stimulus), in_quotes(name)));
   }
   const bool is_as_listed = block.positions == Block::Positions::as_listed;
   if (block.all_pairs->in_both_orders && !is_as_listed) {
     checked.report(pointer + "/positions",
-                   "in_both_orders presents each pair in both orders; remove this key");
+                   phrase("Protocols", "%1 presents each pair in both orders; remove this key")
+                       .with(key_name("in_both_orders")));
   }
   if (!block.all_pairs->in_both_orders && is_as_listed && block.phase == Phase::main) {
     checked.report(
         pointer + "/all_pairs",
-        "the same level of each pair would always be presented first, so that an order "
-        "effect could not be distinguished from a difference; set \"in_both_orders\" to true, or "
-        "\"positions\" to \"balanced\" or \"shuffle\"");
+        phrase("Protocols",
+               "the same level of each pair would always be presented first, so that an order "
+               "effect could not be distinguished from a difference; set %1 to true, or %2 to %3 "
+               "or %4")
+            .with(key_name("in_both_orders"), key_name("positions"), in_quotes("balanced"),
+                  in_quotes("shuffle")));
   }
 }
 
 }  // namespace
 
 void check_block(CheckedDocument& checked, const Block& block, const std::string& pointer) {
-  std::map<std::string, std::string> setters{};
-  const auto claim = [&](const std::string& factor, const std::string& by, const std::string& at) {
+  std::map<std::string, Phrase> setters{};
+  const Phrase another_key = phrase("Protocols", "another key of the block");
+  const auto claim = [&](const std::string& factor, const Phrase& by, const std::string& at) {
     if (!checked.protocol.factors.contains(factor)) {
       checked.report(at, unknown_name("factor", factor, checked.protocol.factors));
       return;
     }
     const auto [earlier, is_new] = setters.emplace(factor, by);
     if (!is_new) {
-      checked.report(at, "the factor " + in_quotes(factor) + " is already set by " +
-                             earlier->second + "; set it in one place only");
+      checked.report(
+          at, phrase("Protocols", "the factor %1 is already set by %2; set it in one place only")
+                  .with(in_quotes(factor), earlier->second));
     }
   };
   for (std::size_t i = 0; i < block.crossed.size(); ++i) {
-    claim(block.crossed[i], "crossed", pointer_to(pointer + "/crossed", i));
+    claim(block.crossed[i], key_name("crossed"), pointer_to(pointer + "/crossed", i));
   }
   for (std::size_t i = 0; i < block.listed.size(); ++i) {
     const std::string row = pointer_to(pointer + "/listed", i);
     for (const auto& [name, level] : block.listed[i]) {
-      if (check_level(checked, name, level, pointer_to(row, name))) setters.emplace(name, "listed");
+      if (check_level(checked, name, level, pointer_to(row, name)))
+        setters.emplace(name, key_name("listed"));
     }
     for (const auto& [name, level] : block.listed.front()) {
       if (!block.listed[i].contains(name)) {
-        checked.report(row, "this row does not set " + in_quotes(name) +
-                                ", which the first row sets; set the same factors in every row");
+        checked.report(row, phrase("Protocols",
+                                   "this row does not set %1, which the first row sets; set the "
+                                   "same factors in every row")
+                                .with(in_quotes(name)));
       }
     }
     for (const auto& [name, level] : block.listed[i]) {
       if (!block.listed.front().contains(name)) {
-        checked.report_key(pointer_to(row, name), "the first row does not set " + in_quotes(name) +
-                                                      "; set the same factors in every row");
+        checked.report_key(
+            pointer_to(row, name),
+            phrase("Protocols", "the first row does not set %1; set the same factors in every row")
+                .with(in_quotes(name)));
       }
     }
   }
   for (std::size_t i = 0; i < block.drawn.size(); ++i) {
-    claim(block.drawn[i], "another key of the block", pointer_to(pointer + "/drawn", i));
+    claim(block.drawn[i], another_key, pointer_to(pointer + "/drawn", i));
   }
   if (block.vary) {
-    claim(block.vary->factor, "vary", pointer + "/vary/parameter");
+    claim(block.vary->factor, key_name("vary"), pointer + "/vary/parameter");
   }
-  for (const auto& [name, formula] : block.derived) setters.emplace(name, "derived");
+  for (const auto& [name, formula] : block.derived) setters.emplace(name, key_name("derived"));
   if (block.all_pairs) {
-    claim(block.all_pairs->factor, "another key of the block", pointer + "/all_pairs/factor");
+    claim(block.all_pairs->factor, another_key, pointer + "/all_pairs/factor");
   }
   for (std::size_t i = 0; i < checked.protocol.flow.size(); ++i) {
     const auto* const run = std::get_if<Run>(&checked.protocol.flow[i]);
     if (run != nullptr && run->block == block.name && setters.contains(run->for_each)) {
       checked.report(pointer_to("/flow", i) + "/for_each",
-                     "the factor " + in_quotes(run->for_each) +
-                         " is already set inside the block; set it in one place only");
+                     phrase("Protocols",
+                            "the factor %1 is already set inside the block; set it in one place "
+                            "only")
+                         .with(in_quotes(run->for_each)));
     }
   }
   for (const auto& [name, place] : texts_of(checked, block.exploration, pointer + "/exploration")) {
@@ -270,8 +304,10 @@ void check_block(CheckedDocument& checked, const Block& block, const std::string
       continue;
     }
     checked.report(pointer + "/exploration",
-                   "the trials of this block do not set the factor " + in_quotes(factor) +
-                       ": cross, list or draw it, or run the block for_each of its levels");
+                   phrase("Protocols",
+                          "the trials of this block do not set the factor %1: cross, list or draw "
+                          "it, or run the block %2 of its levels")
+                       .with(in_quotes(factor), key_name("for_each")));
   }
   check_anchor(checked, block, pointer);
   check_presented(checked, block, pointer);
@@ -290,21 +326,26 @@ void check_criterion(CheckedDocument& checked, const Block& block, const std::st
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
   if (kind_of(block).correct_of == nullptr) {
-    checked.report(place, "a criterion needs correct responses, and no response of a " +
-                              std::string(kind_of(block).name) +
-                              " is correct or incorrect; remove this key");
+    checked.report(place, phrase("Protocols",
+                                 "a criterion needs correct responses, and no response of a %1 is "
+                                 "correct or incorrect; remove this key")
+                              .with(kind_of(block).name));
   }
   if (criterion.correct > criterion.of_last) {
-    checked.report(place + "/correct", "the criterion cannot be met: it requires " +
-                                           std::to_string(criterion.correct) + " correct of " +
-                                           std::to_string(criterion.of_last) +
-                                           "; lower this number or raise of_last");
+    checked.report(
+        place + "/correct",
+        phrase("Protocols",
+               "the criterion cannot be met: it requires %1 correct of %2; lower this number or "
+               "raise %3")
+            .with(std::to_string(criterion.correct), std::to_string(criterion.of_last),
+                  key_name("of_last")));
   }
   if (criterion.correct > criterion.maximum_trials) {
-    checked.report(place + "/maximum_trials",
-                   "the block ends before " + std::to_string(criterion.correct) +
-                       " responses can be correct: maximum_trials is " +
-                       std::to_string(criterion.maximum_trials) + "; raise it");
+    checked.report(
+        place + "/maximum_trials",
+        phrase("Protocols", "the block ends before %1 responses can be correct: %2 is %3; raise it")
+            .with(std::to_string(criterion.correct), key_name("maximum_trials"),
+                  std::to_string(criterion.maximum_trials)));
   }
 }
 

@@ -33,20 +33,28 @@ void check_body_keys(CheckedDocument& checked, const std::string& name,
   const bool is_mesh = object.contains("mesh");
   const auto shape = object.find("shape");
   if (is_mesh == (shape != object.end())) {
-    checked.report(pointer,
-                   std::string("a body is either a \"mesh\", a file of the study, or a \"shape\"") +
-                       (is_mesh ? ", not both; remove one" : "; add one"));
+    checked.report(
+        pointer, (is_mesh ? phrase("Protocols",
+                                   "a body is either a %1, a file of the study, or a %2, not "
+                                   "both; remove one")
+                          : phrase("Protocols",
+                                   "a body is either a %1, a file of the study, or a %2; add one"))
+                     .with(key_name("mesh"), key_name("shape")));
     return;
   }
-  const auto refuse_key = [&](std::string_view key, const std::string& why) {
+  const auto refuse_key = [&](std::string_view key, const Phrase& why) {
     if (object.contains(std::string(key)))
       checked.report_key(pointer + '/' + std::string(key), why);
   };
   if (is_mesh) {
-    for (const std::string_view key : kSizes)
-      refuse_key(key, "the file of a mesh determines its size; remove this key");
-    refuse_key("axis", "the file of a mesh determines its orientation; remove this key");
-    refuse_key("texture", "the file of a mesh contains its texture; remove this key");
+    for (const std::string_view key : kSizes) {
+      refuse_key(key,
+                 phrase("Protocols", "the file of a mesh determines its size; remove this key"));
+    }
+    refuse_key("axis", phrase("Protocols",
+                              "the file of a mesh determines its orientation; remove this key"));
+    refuse_key("texture",
+               phrase("Protocols", "the file of a mesh contains its texture; remove this key"));
     return;
   }
   const auto said = shape->get<std::string>();
@@ -56,14 +64,18 @@ void check_body_keys(CheckedDocument& checked, const std::string& name,
     const bool is_needed =
         std::find(keys->needed.begin(), keys->needed.end(), key) != keys->needed.end();
     if (!is_needed) {
-      refuse_key(key, "a " + said + " does not have this key; use " +
-                          one_of({keys->needed.begin(), keys->needed.end()}) + " instead");
+      refuse_key(
+          key,
+          phrase("Protocols", "a %1 does not have this key; use %2 instead")
+              .with(said, joined_by_or(key_names({keys->needed.begin(), keys->needed.end()}))));
     } else if (!object.contains(std::string(key))) {
-      checked.report(pointer,
-                     "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres; add it");
+      checked.report(
+          pointer,
+          phrase("Protocols", "a %1 needs %2, in metres; add it").with(said, key_name(key)));
     }
   }
-  if (!keys->has_axis) refuse_key("axis", "a " + said + " has no axis; remove this key");
+  if (!keys->has_axis)
+    refuse_key("axis", phrase("Protocols", "a %1 has no axis; remove this key").with(said));
 }
 
 }  // namespace
@@ -80,8 +92,9 @@ void check_bodies(CheckedDocument& checked) {
                      unknown_name("texture", *body.texture, checked.protocol.textures));
     } else if (!texture->second.height_field) {
       checked.report(pointer + "/texture",
-                     "the texture " + in_quotes(*body.texture) +
-                         " cannot be applied to a body: it has no \"height_field\"; give it one");
+                     phrase("Protocols",
+                            "the texture %1 cannot be applied to a body: it has no %2; give it one")
+                         .with(in_quotes(*body.texture), key_name("height_field")));
     }
   }
 }
@@ -91,13 +104,12 @@ void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
                      const std::string& pointer) {
   const auto needs = std::find_if(models.begin(), models.end(),
                                   [](const ModelDeclaration* each) { return each->needs_bodies; });
-  const auto check = [&](const Binding<std::string>& binding, const char* key, const char* what) {
+  const auto check = [&](const Binding<std::string>& binding, const char* key,
+                         const Phrase& if_missing) {
     const bool is_given = binding.value || !binding.factor.empty();
     const std::string place = pointer + '/' + key;
     if (!is_given && needs != models.end()) {
-      checked.report(pointer, "the model " + in_quotes((*needs)->id) +
-                                  " needs two bodies: give the stimulus " + what +
-                                  ", one of the bodies, as " + in_quotes(key));
+      checked.report(pointer, if_missing.with(in_quotes((*needs)->id), key_name(key)));
     }
     for (const auto& [name, at] : texts_of(checked, binding, place)) {
       if (!checked.protocol.bodies.contains(name))
@@ -105,21 +117,32 @@ void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
     }
   };
   if (needs != models.end() && checked.protocol.patch.motion_scale != 1.0) {
-    checked.report("/surface/motion_scale",
-                   "the model " + in_quotes((*needs)->id) +
-                       " moves a tool exactly as the hand moves: set motion_scale to 1");
+    checked.report(
+        "/surface/motion_scale",
+        phrase("Protocols", "the model %1 moves a tool exactly as the hand moves: set %2 to 1")
+            .with(in_quotes((*needs)->id), key_name("motion_scale")));
   }
-  check(stimulus.surface, "surface", "the object that is touched");
-  check(stimulus.tool, "tool", "the object that the hand holds");
+  check(stimulus.surface, "surface",
+        phrase("Protocols",
+               "the model %1 needs two bodies: give the stimulus the object that is touched, one "
+               "of the bodies, as %2"));
+  check(stimulus.tool, "tool",
+        phrase("Protocols",
+               "the model %1 needs two bodies: give the stimulus the object that the hand holds, "
+               "one of the bodies, as %2"));
   if (needs != models.end() || models.empty()) return;
   if (stimulus.tool.value || !stimulus.tool.factor.empty()) {
-    checked.report_key(pointer + "/tool", "the model " + in_quotes(models.front()->id) +
-                                              " touches a surface with a point; remove this key");
+    checked.report_key(
+        pointer + "/tool",
+        phrase("Protocols", "the model %1 touches a surface with a point; remove this key")
+            .with(in_quotes(models.front()->id)));
   } else if (is_point_on_body(stimulus) && checked.protocol.scene == VisualTexture::on) {
     checked.report("/environment/scene",
-                   "the scene cannot show the texture that the model " +
-                       in_quotes(models.front()->id) +
-                       " renders on a body; set visual_texture to \"off\" or \"neutral\"");
+                   phrase("Protocols",
+                          "the scene cannot show the texture that the model %1 renders on a body; "
+                          "set %2 to %3 or %4")
+                       .with(in_quotes(models.front()->id), key_name("visual_texture"),
+                             in_quotes("off"), in_quotes("neutral")));
   }
 }
 

@@ -28,20 +28,14 @@ std::string levels_at(const Dimension& dimension, const std::string& pointer) {
   return pointer + "/vary/" + std::string(key_of(dimension.measure));
 }
 
-/// A sentence goes on after it.
-std::string without_stop(std::string sentence) {
-  if (sentence.ends_with('.')) sentence.pop_back();
-  return sentence;
-}
-
 /// "; as "levels_percent" the limits are -100 and 9900"; empty where levels are values themselves.
-std::string limits_as_levels(const Dimension& dimension, const Parameter& declared) {
+Phrase limits_as_levels(const Dimension& dimension, const Parameter& declared) {
   if (!is_relative(dimension.measure) || declared.kind == ParameterKind::choice) return {};
   const double least = dimension.level_of(declared.minimum);
   const double greatest = dimension.level_of(declared.maximum);
   if (!std::isfinite(least) || !std::isfinite(greatest)) return {};
-  return "; as " + in_quotes(key_of(dimension.measure)) + " the limits are " + rounded_text(least) +
-         " and " + rounded_text(greatest);
+  return phrase("Protocols", "; as %1 the limits are %2 and %3")
+      .with(key_name(key_of(dimension.measure)), rounded_text(least), rounded_text(greatest));
 }
 
 /// Whether all force models of the varied surface have the parameter.
@@ -63,9 +57,10 @@ bool check_parameter(CheckedDocument& checked, const Block& block, const std::st
     }
     if (names.contains(dimension.parameter)) continue;
     all_have_it = false;
-    checked.report(pointer + "/vary/parameter",
-                   "the model " + in_quotes(id) + ": " +
-                       unknown_name("numeric parameter", dimension.parameter, names));
+    checked.report(
+        pointer + "/vary/parameter",
+        phrase("Protocols", "the model %1: %2")
+            .with(in_quotes(id), unknown_name("numeric parameter", dimension.parameter, names)));
   }
   return all_have_it;
 }
@@ -77,32 +72,36 @@ bool check_standard(CheckedDocument& checked, const Block& block, const std::str
   if (!dimension.standard_role.empty() && (dimension.standard_role == dimension.role ||
                                            count_of_role(block, dimension.standard_role) != 1)) {
     checked.report(place + "/relative_to",
-                   "no other surface of the block has the role " +
-                       in_quotes(dimension.standard_role) +
-                       "; state the role of the surface to which levels refer");
+                   phrase("Protocols",
+                          "no other surface of the block has the role %1; state the role of the "
+                          "surface to which levels refer")
+                       .with(in_quotes(dimension.standard_role)));
     return false;
   }
   if (!is_relative(dimension.measure)) return true;
-  const std::string key(key_of(dimension.measure));
+  const Phrase key = key_name(key_of(dimension.measure));
   if (dimension.standard_role.empty()) {
     checked.report_key(levels_at(dimension, pointer),
-                       in_quotes(key) +
-                           " needs a standard; add \"relative_to\" with the role of the "
-                           "surface to which the levels refer");
+                       phrase("Protocols",
+                              "%1 needs a standard; add %2 with the role of the surface to which "
+                              "the levels refer")
+                           .with(key, key_name("relative_to")));
     return false;
   }
   if (!dimension.standard) {
-    checked.report(place + "/relative_to", "the stimulus of the " + dimension.standard_role +
-                                               " does not state a number for " +
-                                               in_quotes(dimension.parameter) +
-                                               ", to which the levels refer; state it there");
+    checked.report(place + "/relative_to",
+                   phrase("Protocols",
+                          "the stimulus of the %1 does not state a number for %2, to which the "
+                          "levels refer; state it there")
+                       .with(dimension.standard_role, in_quotes(dimension.parameter)));
     return false;
   }
   if (needs_positive_standard(dimension.measure) && !(*dimension.standard > 0.0)) {
-    checked.report_key(levels_at(dimension, pointer),
-                       "the standard is " + digits(*dimension.standard) + ", and " +
-                           in_quotes(key) +
-                           " needs a standard above 0; use \"levels\" or \"levels_difference\"");
+    checked.report_key(
+        levels_at(dimension, pointer),
+        phrase("Protocols", "the standard is %1, and %2 needs a standard above 0; use %3 or %4")
+            .with(digits(*dimension.standard), key, key_name("levels"),
+                  key_name("levels_difference")));
     return false;
   }
   return true;
@@ -121,15 +120,17 @@ void check_values(CheckedDocument& checked, const Block& block, const std::strin
     if (!problems.empty()) return;
     if (size_of(*dimension.grid) > kMaximumTrials) {
       checked.report(at_levels + "/step",
-                     "the grid has " + std::to_string(size_of(*dimension.grid)) +
-                         " levels, and every level is checked before a session; use "
-                         "a larger step or a narrower range");
+                     phrase("Protocols",
+                            "the grid has %1 levels, and every level is checked before a session; "
+                            "use a larger step or a narrower range")
+                         .with(std::to_string(size_of(*dimension.grid))));
       return;
     }
   }
   const std::vector<double> levels = dimension.levels();
   if (std::adjacent_find(levels.begin(), levels.end()) != levels.end()) {
-    checked.report(at_levels, "a level is stated twice; state each level once");
+    checked.report(at_levels,
+                   phrase("Protocols", "a level is stated twice; state each level once"));
   }
   const auto presented =
       std::find_if(block.presented.begin(), block.presented.end(),
@@ -142,10 +143,11 @@ void check_values(CheckedDocument& checked, const Block& block, const std::strin
   }
   const auto bound = stimulus->second.parameters.find(dimension.parameter);
   if (bound != stimulus->second.parameters.end() && !bound->second.factor.empty()) {
-    checked.report(at_parameter, "the stimulus " + in_quotes(presented->stimulus) +
-                                     " binds this parameter to the factor " +
-                                     in_quotes(bound->second.factor) +
-                                     "; state a number there, or present another stimulus");
+    checked.report(at_parameter,
+                   phrase("Protocols",
+                          "the stimulus %1 binds this parameter to the factor %2; state a number "
+                          "there, or present another stimulus")
+                       .with(in_quotes(presented->stimulus), in_quotes(bound->second.factor)));
     return;
   }
   for (const auto& [id, place] : texts_of(checked, stimulus->second.model,
@@ -160,17 +162,18 @@ void check_values(CheckedDocument& checked, const Block& block, const std::strin
     if (declared == parameters.end()) continue;  // check_parameter
     if (stimulus->second.equal_force && model->second->amplitude_parameter == dimension.parameter) {
       checked.report(at_parameter,
-                     "equal_force of the stimulus " + in_quotes(presented->stimulus) +
-                         " determines this parameter; remove it there, or vary another "
-                         "parameter");
+                     phrase("Protocols",
+                            "%1 of the stimulus %2 determines this parameter; remove it there, or "
+                            "vary another parameter")
+                         .with(key_name("equal_force"), in_quotes(presented->stimulus)));
     }
     const auto check_level = [&](double level, const std::string& at) {
       const double value = dimension.value_of(level);
-      const auto complaint = complaint_about(*declared, value);
+      const auto complaint = problem_of_value(*declared, value);
       if (complaint) {
-        checked.report(at, "the level " + rounded_text(level) + " is a value of " +
-                               rounded_text(value) + ": " + without_stop(*complaint) +
-                               limits_as_levels(dimension, *declared));
+        checked.report(at, phrase("Protocols", "the level %1 is a value of %2: %3%4")
+                               .with(rounded_text(level), rounded_text(value), *complaint,
+                                     limits_as_levels(dimension, *declared)));
       }
     };
     if (dimension
@@ -203,9 +206,10 @@ void check_dimension(CheckedDocument& checked, const Block& block, const std::st
   if (factors != checked.document.root().end() && factors->contains(dimension.factor)) {
     checked.report(
         place + (stated.contains("factor") ? "/factor" : "/parameter"),
-        "the factor " + in_quotes(dimension.factor) +
-            " is already declared under /factors; state another name as \"factor\" here, or "
-            "remove that factor");
+        phrase("Protocols",
+               "the factor %1 is already declared under %2; state another name as %3 here, or "
+               "remove that factor")
+            .with(in_quotes(dimension.factor), place_name("/factors"), key_name("factor")));
     return;
   }
   for (const auto& [name, other] : checked.protocol.blocks) {
@@ -214,17 +218,20 @@ void check_dimension(CheckedDocument& checked, const Block& block, const std::st
       continue;
     }
     checked.report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
-                   "the block " + in_quotes(name) + " varies the parameter " +
-                       in_quotes(other.vary->parameter) + " under the name " +
-                       in_quotes(dimension.factor) +
-                       "; state another name as \"factor\" in one of them");
+                   phrase("Protocols",
+                          "the block %1 varies the parameter %2 under the name %3; state another "
+                          "name as %4 in one of them")
+                       .with(in_quotes(name), in_quotes(other.vary->parameter),
+                             in_quotes(dimension.factor), key_name("factor")));
     return;
   }
   if (count_of_role(block, dimension.role) != 1) {
     checked.report(place + "/of",
-                   std::to_string(count_of_role(block, dimension.role)) +
-                       " surfaces of the block have the role " + in_quotes(dimension.role) +
-                       "; state the role of exactly one: " + one_of(roles_in(block)));
+                   phrase("Protocols",
+                          "%1 surfaces of the block have the role %2; state the role of exactly "
+                          "one: %3")
+                       .with(std::to_string(count_of_role(block, dimension.role)),
+                             in_quotes(dimension.role), joined_by_or(quoted(roles_in(block)))));
     return;
   }
   if (check_parameter(checked, block, pointer) && check_standard(checked, block, pointer)) {

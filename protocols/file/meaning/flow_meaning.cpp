@@ -18,7 +18,8 @@ void check_break(CheckedDocument& checked, const Protocol::Break& pause,
   if (pause.drift_check && !pause.zero_force) {
     checked.report_key(
         pointer + "/zero_force",
-        "a drift check sends zero force to the device; remove this key, or drift_check");
+        phrase("Protocols", "a drift check sends zero force to the device; remove this key, or %1")
+            .with(key_name("drift_check")));
   }
 }
 
@@ -59,23 +60,27 @@ void check_flow(CheckedDocument& checked) {
           std::pair("break_every_contact_minutes", has_breaks_by_contact)}) {
       if (!is_stated || run->pause) continue;
       checked.report(
-          pointer,
-          std::string(key) +
-              " needs a \"pause\" that states the duration of the break, such as \"pause\": "
-              "{\"minimum_s\": 60, \"text\": \"Please rest your hand.\"}");
+          pointer, phrase("Protocols",
+                          "%1 needs a %2 that states the duration of the break, such as \"pause\": "
+                          "{\"minimum_s\": 60, \"text\": \"Please rest your hand.\"}")
+                       .with(key_name(key), key_name("pause")));
     }
     if (run->pause && run->break_every_trials == 0 && !has_breaks_by_contact &&
         run->for_each.empty()) {
       checked.report(pointer + "/pause",
-                     "the time of this pause is not stated: add break_every_trials, "
-                     "break_every_contact_minutes or for_each");
+                     phrase("Protocols", "the time of this pause is not stated: add %1")
+                         .with(joined_by_or(key_names(
+                             {"break_every_trials", "break_every_contact_minutes", "for_each"}))));
     }
   }
   for (const auto& [name, block] : checked.protocol.blocks) {
     if (!run_blocks.contains(name)) {
-      checked.report_key(pointer_to("/blocks", name), "the block " + in_quotes(name) +
-                                                          " is never run; add {\"run\": \"" + name +
-                                                          "\"} to the flow, or remove the block");
+      checked.report_key(
+          pointer_to("/blocks", name),
+          phrase("Protocols",
+                 "the block %1 is never run; add {\"run\": \"%2\"} to the flow, or remove the "
+                 "block")
+              .with(in_quotes(name), name));
     }
   }
   const auto is_practised = [&checked](const std::string& name) {
@@ -86,14 +91,18 @@ void check_flow(CheckedDocument& checked) {
       std::none_of(run_blocks.begin(), run_blocks.end(), is_practised)) {
     checked.report(
         "/resume/practice_trials",
-        "no block has the phase \"practice\", so that nothing can be practised again; remove "
-        "this key, or add such a block");
+        phrase("Protocols",
+               "no block has the phase %1, so that nothing can be practised again; remove this "
+               "key, or add such a block")
+            .with(in_quotes("practice")));
   }
   if (checked.protocol.counterbalance != Protocol::Counterbalance::none && iterated.empty()) {
     checked.report(
         "/counterbalance",
-        "there is nothing to counterbalance: no step of the flow has a \"for_each\"; add one, "
-        "or remove this key");
+        phrase("Protocols",
+               "there is nothing to counterbalance: no step of the flow has a %1; add one, or "
+               "remove this key")
+            .with(key_name("for_each")));
   }
   constexpr std::size_t kMaximumLevels = 32;
   for (const std::string& name : iterated) {
@@ -101,8 +110,10 @@ void check_flow(CheckedDocument& checked) {
     if (factor != checked.protocol.factors.end() && factor->second.levels.size() > kMaximumLevels) {
       checked.report(
           pointer_to("/factors", name) + "/levels",
-          "a factor of for_each has at most 32 levels; remove some, or cross the factor in the "
-          "block");
+          phrase("Protocols",
+                 "a factor of %1 has at most %2 levels; remove some, or cross the factor in the "
+                 "block")
+              .with(key_name("for_each"), std::to_string(kMaximumLevels)));
     }
   }
 }
@@ -118,9 +129,11 @@ bool check_level(CheckedDocument& checked, const std::string& factor, const Leve
   if (std::find(levels.begin(), levels.end(), level) != levels.end()) return true;
   std::vector<std::string> names{};
   for (const Level& each : levels) names.push_back(text_of(each));
-  checked.report(pointer, in_quotes(text_of(level)) + " is not a level of the factor " +
-                              in_quotes(factor) + "; use " + one_of(names) +
-                              did_you_mean(text_of(level), names));
+  checked.report(pointer,
+                 with_guess(phrase("Protocols", "%1 is not a level of the factor %2; use %3")
+                                .with(in_quotes(text_of(level)), in_quotes(factor),
+                                      joined_by_or(quoted(names))),
+                            text_of(level), names));
   return false;
 }
 
@@ -144,13 +157,17 @@ void check_size(CheckedDocument& checked) {
     if (trials > kMaximumSessionTrials) {
       return checked.report(
           pointer_to("/flow", i),
-          "up to here the session has more than " + std::to_string(kMaximumSessionTrials) +
-              " trials, too many for a participant; reduce the number of blocks or of repetitions");
+          phrase("Protocols",
+                 "up to here the session has more than %1 trials, too many for a participant; "
+                 "reduce the number of blocks or of repetitions")
+              .with(std::to_string(kMaximumSessionTrials)));
     }
   }
   if (checked.protocol.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {
     checked.report("/counterbalance",
-                   "there would be more orders than participants; use for_each with fewer factors");
+                   phrase("Protocols",
+                          "there would be more orders than participants; use %1 with fewer factors")
+                       .with(key_name("for_each")));
   }
 }
 

@@ -18,9 +18,11 @@ void check_groups_of_screens(CheckedDocument& checked) {
     if (screen == nullptr || screen->groups.empty()) continue;
     const std::string pointer = pointer_to("/flow", i) + "/groups";
     if (!groups) {
-      checked.report(pointer,
-                     "participants have no groups; add the key groups to the protocol, or remove "
-                     "this key");
+      checked.report(
+          pointer, phrase("Protocols",
+                          "participants have no groups; add the key %1 to the protocol, or remove "
+                          "this key")
+                       .with(key_name("groups")));
       continue;
     }
     const std::vector<std::string> known = groups_of(checked.protocol);
@@ -54,36 +56,44 @@ void check_groups(CheckedDocument& checked) {
   const std::size_t levels = factor->second.levels.size();
   if (levels < 2 || levels > kMost) {
     checked.report(pointer_to("/factors", name) + "/levels",
-                   "the factor of the groups must have 2 to " + std::to_string(kMost) +
-                       " levels, one per group; add or remove levels");
+                   phrase("Protocols",
+                          "the factor of the groups must have 2 to %1 levels, one per group; add "
+                          "or remove levels")
+                       .with(std::to_string(kMost)));
   }
   const bool is_permuted =
       checked.protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks;
   if (is_permuted && !checked.protocol.groups->seed) {
-    checked.report("/groups",
-                   "permuted blocks are a random sequence: state its \"seed\", a whole number");
+    checked.report(
+        "/groups",
+        phrase("Protocols", "permuted blocks are a random sequence: state its %1, a whole number")
+            .with(key_name("seed")));
   }
   for (std::size_t i = 0; i < checked.protocol.groups->block_sizes.size(); ++i) {
     const int size = checked.protocol.groups->block_sizes[i];
     if (!is_permuted || levels == 0 || size % static_cast<int>(levels) == 0) continue;
-    checked.report(pointer_to("/groups/block_sizes", i),
-                   "a block of " + std::to_string(size) + " participants does not contain the " +
-                       std::to_string(levels) + " groups equally often; use a multiple of " +
-                       std::to_string(levels));
+    checked.report(
+        pointer_to("/groups/block_sizes", i),
+        phrase("Protocols",
+               "a block of %1 participants does not contain the %2 groups equally often; "
+               "use a multiple of %2")
+            .with(std::to_string(size), std::to_string(levels)));
   }
-  constexpr const char* kWhy =
-      " is the factor of the groups, and the group of the participant sets its level; use another "
-      "factor here, or remove the key groups";
+  const Phrase why =
+      phrase("Protocols",
+             "%1 is the factor of the groups, and the group of the participant sets its level; use "
+             "another factor here, or remove the key %2")
+          .with(in_quotes(name), key_name("groups"));
   for (const auto& [block_name, block] : checked.protocol.blocks) {
     const bool varies_in_pairs = block.all_pairs && block.all_pairs->factor == name;
     if (varies_in_pairs || factors_set_by(block, nullptr).contains(name)) {
-      checked.report_key(pointer_to("/blocks", block_name), in_quotes(name) + kWhy);
+      checked.report_key(pointer_to("/blocks", block_name), why);
     }
   }
   for (std::size_t i = 0; i < checked.protocol.flow.size(); ++i) {
     const auto* const run = std::get_if<Protocol::Run>(&checked.protocol.flow[i]);
     if (run != nullptr && run->for_each == name) {
-      checked.report(pointer_to("/flow", i) + "/for_each", in_quotes(name) + kWhy);
+      checked.report(pointer_to("/flow", i) + "/for_each", why);
     }
   }
 }

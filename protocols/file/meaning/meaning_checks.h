@@ -48,13 +48,15 @@ class CheckedDocument final : public ProblemSink {
     for (const ModelDeclaration& model : declared) models.emplace(model.id, &model);
   }
 
+  using ProblemSink::report;
+  using ProblemSink::report_key;
   /// A problem of the value, or of the key, at a pointer; one that was reported there already is not repeated.
-  void report(const std::string& pointer, std::string message) override {
-    if (!reported_.emplace(pointer, message).second) return;
+  void report(const std::string& pointer, Phrase message) override {
+    if (!reported_.emplace(pointer, message.english()).second) return;
     found_.push_back(document.at(pointer, std::move(message)));
   }
-  void report_key(const std::string& pointer, std::string message) override {
-    if (!reported_.emplace(pointer, message).second) return;
+  void report_key(const std::string& pointer, Phrase message) override {
+    if (!reported_.emplace(pointer, message.english()).second) return;
     found_.push_back(document.at_key(pointer, std::move(message)));
   }
   const std::vector<Diagnostic>& found() const noexcept { return found_; }
@@ -82,7 +84,7 @@ void check_device_limits(CheckedDocument& checked);
 void check_instability(CheckedDocument& checked);
 void check_textures(CheckedDocument& checked);
 /// Why this is not the path of a file in the study, and what to state; nothing where it is.
-std::optional<std::string> complaint_about_path(const std::string& path);
+std::optional<Phrase> complaint_about_path(const std::string& path);
 void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
                 const std::string& pointer);
 void check_factors(CheckedDocument& checked);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/numbers/number_text.h"
 #include "analysis/numbers/rounded_text.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning/meaning_checks.h"
@@ -32,20 +31,24 @@ std::string place_of_setting(const std::string& setting, const nlohmann::json& s
 }
 
 /// "100 or more", "-60 or less": the levels that are at least as far from the standard as every level of the block.
-std::string easy_levels(const Dimension& dimension, bool is_performance) {
+Phrase easy_levels(const Dimension& dimension, bool is_performance) {
+  const auto or_more = [](double level) {
+    return phrase("Protocols", "%1 or more").with(rounded_text(level));
+  };
+  const auto or_less = [](double level) {
+    return phrase("Protocols", "%1 or less").with(rounded_text(level));
+  };
   const double standard = *dimension.standard;
   const std::vector<double> values = dimension.values();
   const std::vector<double> levels = dimension.levels();
   const double below = standard - values.front();
   const double above = values.back() - standard;
-  const std::string more = rounded_text(levels.back()) + " or more";
-  const std::string less = rounded_text(levels.front()) + " or less";
-  if (is_performance) return above > 0.0 ? more : less;
+  if (is_performance) return above > 0.0 ? or_more(levels.back()) : or_less(levels.front());
   const double farthest = std::max(below, above);
-  return rounded_text(dimension.level_of(standard + farthest)) + " or more" +
-         (standard - farthest > 0.0 || !needs_positive_standard(dimension.measure)
-              ? ", or " + rounded_text(dimension.level_of(standard - farthest)) + " or less"
-              : "");
+  const Phrase upper = or_more(dimension.level_of(standard + farthest));
+  if (standard - farthest <= 0.0 && needs_positive_standard(dimension.measure)) return upper;
+  return phrase("Protocols", "%1, or %2")
+      .with(upper, or_less(dimension.level_of(standard - farthest)));
 }
 
 /// Psi and QUEST+ assume a Weibull function of the difference from the standard.
@@ -54,17 +57,20 @@ void check_bayesian_procedure(CheckedDocument& checked, const Block& block,
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   if (judged != nullptr && judged->judgement() != DiscriminationJudgement::performance) {
     checked.report(pointer + "/procedure/method",
-                   "the method " + in_quotes(method) +
-                       " estimates a threshold of correct responses, but with the judgement "
-                       "\"comparison\" no response is correct; use \"judgement\": \"performance\", "
-                       "\"transformed_up_down\" or \"constant_stimuli\"");
+                   phrase("Protocols",
+                          "the method %1 estimates a threshold of correct responses, but with the "
+                          "judgement %2 no response is correct; use %3: %4, %5 or %6")
+                       .with(in_quotes(method), in_quotes("comparison"), key_name("judgement"),
+                             in_quotes("performance"), in_quotes("transformed_up_down"),
+                             in_quotes("constant_stimuli")));
   }
   if (block.vary->measure == LevelMeasure::decibels) {
     checked.report(
         pointer + "/vary/" + std::string(key_of(block.vary->measure)),
-        "the method " + in_quotes(method) +
-            " needs levels that are proportional to the difference from the standard; state "
-            "them as \"levels_percent\" or \"levels_difference\"");
+        phrase("Protocols",
+               "the method %1 needs levels that are proportional to the difference from the "
+               "standard; state them as %2 or %3")
+            .with(in_quotes(method), key_name("levels_percent"), key_name("levels_difference")));
   }
 }
 
@@ -74,27 +80,31 @@ void check_unforced(CheckedDocument& checked, const Block& block, const std::str
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
   if (judged == nullptr || !judged->allow_cannot_tell || block.design()->has_noise()) return;
   const bool is_performance = judged->judgement() == DiscriminationJudgement::performance;
-  const std::string remedy =
-      "; use " + std::string(is_performance ? "\"weighted_up_down\"" : "\"constant_stimuli\"") +
-      ", or remove \"allow_cannot_tell\" from the question";
+  const Phrase remedy =
+      phrase("Protocols", "; use %1, or remove %2 from the question")
+          .with(in_quotes(is_performance ? weighted_up_down().id : constant_stimuli().id),
+                key_name("allow_cannot_tell"));
   if (method == transformed_up_down().id) {
     checked.report(
         pointer + "/procedure/method",
-        "the method " + in_quotes(method) +
-            " counts correct responses in succession, among which the response \"cannot tell\" "
-            "cannot be counted" +
-            remedy);
+        phrase("Protocols",
+               "the method %1 counts correct responses in succession, among which the response "
+               "\"cannot tell\" cannot be counted%2")
+            .with(in_quotes(method), remedy));
   } else if (method == external().id) {
     checked.report(
         pointer + "/procedure/method",
-        "a program that states levels receives correct and incorrect responses only" + remedy);
+        phrase("Protocols",
+               "a program that states levels receives correct and incorrect responses only%1")
+            .with(remedy));
   } else if (method == weighted_up_down().id && !is_performance) {
     const auto index = static_cast<std::size_t>(judged - block.questions.data());
     checked.report(
         place_of_question(block, index) + "/judgement",
-        "the step after the response \"cannot tell\" is the mean step of a guess, which is "
-        "defined where one response is correct; use \"performance\", or the method "
-        "\"constant_stimuli\"");
+        phrase("Protocols",
+               "the step after the response \"cannot tell\" is the mean step of a guess, which is "
+               "defined where one response is correct; use %1, or the method %2")
+            .with(in_quotes("performance"), in_quotes(constant_stimuli().id)));
   }
 }
 
@@ -108,26 +118,32 @@ void check_pairs_of_standards(CheckedDocument& checked, const Block& block,
                                      : CatchType::identical_pair;
   if (block.design()->surfaces() != 2) {
     checked.report(place + "/type",
-                   "catch trials of this type present two standards, and those of " +
-                       block.design()->with_article() + " three surfaces; use \"easy\"");
+                   phrase("Protocols",
+                          "catch trials of this type present two standards, and those of %1 three "
+                          "surfaces; use %2")
+                       .with(block.design()->with_article, in_quotes("easy")));
     return;
   }
   if (type != of_judgement) {
     checked.report(
         place + "/type",
-        type == CatchType::no_signal
-            ? "with the judgement \"comparison\" there is no signal to be found; set it to "
-              "\"identical_pair\""
-            : "with the judgement \"performance\" the comparison has to be found, and a trial "
-              "without it has no signal; set it to \"no_signal\"");
+        (type == CatchType::no_signal
+             ? phrase("Protocols",
+                      "with the judgement %1 there is no signal to be found; set it to %2")
+                   .with(in_quotes("comparison"), in_quotes("identical_pair"))
+             : phrase("Protocols",
+                      "with the judgement %1 the comparison has to be found, and a trial without "
+                      "it has no signal; set it to %2")
+                   .with(in_quotes("performance"), in_quotes("no_signal"))));
     return;
   }
   if (judged->allow_cannot_tell) return;
   checked.report(
       place + "/type",
-      "of two standards neither is the correct response, so that errors need the response "
-      "\"cannot tell\"; add \"allow_cannot_tell\": true to the question, or use the type "
-      "\"easy\"");
+      phrase("Protocols",
+             "of two standards neither is the correct response, so that errors need the response "
+             "\"cannot tell\"; add %1: true to the question, or use the type %2")
+          .with(key_name("allow_cannot_tell"), in_quotes("easy")));
 }
 
 /// Errors in catch trials are lapses only if their level is easy and the correct response is known.
@@ -140,8 +156,8 @@ void check_catch_trials(CheckedDocument& checked, const Block& block, const std:
   if (!checked.document.root().contains(nlohmann::json::json_pointer(place + "/level"))) {
     checked.report(
         place,
-        "a catch trial of the type \"easy\" has a level; add \"level\", or state another "
-        "\"type\"");
+        phrase("Protocols", "a catch trial of the type %1 has a level; add %2, or state another %3")
+            .with(in_quotes("easy"), key_name("level"), key_name("type")));
     return;
   }
   const double standard = *block.vary->standard;
@@ -156,10 +172,15 @@ void check_catch_trials(CheckedDocument& checked, const Block& block, const std:
   if (is_other_side || std::abs(value - standard) < farthest * (1.0 - 1e-9)) {
     checked.report(
         place + "/level",
-        "a catch trial must be easy: its level must be at least as far from the standard as "
-        "the farthest level of the block" +
-            std::string(is_performance ? ", on the same side" : "") + ", but the level is " +
-            digits(level) + "; use " + easy_levels(*block.vary, is_performance));
+        (is_performance
+             ? phrase("Protocols",
+                      "a catch trial must be easy: its level must be at least as far from the "
+                      "standard as the farthest level of the block, on the same side, but the "
+                      "level is %1; use %2")
+             : phrase("Protocols",
+                      "a catch trial must be easy: its level must be at least as far from the "
+                      "standard as the farthest level of the block, but the level is %1; use %2"))
+            .with(digits(level), easy_levels(*block.vary, is_performance)));
     return;
   }
   if (is_performance) return;
@@ -168,9 +189,11 @@ void check_catch_trials(CheckedDocument& checked, const Block& block, const std:
   if (checked.document.root().contains(nlohmann::json::json_pointer(at_direction))) return;
   checked.report(
       place,
-      "with the judgement \"comparison\" the correct response in a catch trial is known only if "
-      "the question states \"asks_for\": \"more\" or \"less\" of the varied parameter; add it "
-      "to the question");
+      phrase("Protocols",
+             "with the judgement %1 the correct response in a catch trial is known only if the "
+             "question states %2: %3 or %4 of the varied parameter; add it to the question")
+          .with(in_quotes("comparison"), key_name("asks_for"), in_quotes("more"),
+                in_quotes("less")));
 }
 
 /// The settings of every track; those that tracks share are reported once.
@@ -184,8 +207,10 @@ void check_track_starts(CheckedDocument& checked, const Block& block, const std:
         (std::holds_alternative<TransformedUpDown>(tracks[i]) ||
          std::holds_alternative<WeightedUpDown>(tracks[i]))) {
       checked.report(pointer + "/procedure",
-                     "no start is stated; add \"start\", the level of the first "
-                     "trial, well above the expected threshold");
+                     phrase("Protocols",
+                            "no start is stated; add %1, the level of the first trial, well above "
+                            "the expected threshold")
+                         .with(key_name("start")));
       is_usable = false;
       continue;
     }
@@ -209,19 +234,26 @@ void check_track_starts(CheckedDocument& checked, const Block& block, const std:
     if (static_cast<std::size_t>(catch_trials->every) > trials) {
       checked.report(
           pointer + "/procedure/catch_trials/every",
-          "the tracks of this block have at most " + counted(trials, "trial", "trials") +
-              ", so that a session may have no catch trial; " +
-              (trials < 2 ? "allow more trials in the tracks" : "state that number or less"));
+          (trials < 2
+               ? phrase("Protocols",
+                        "the tracks of this block have at most %1 trial, so that a session may "
+                        "have no catch trial; allow more trials in the tracks")
+               : phrase("Protocols",
+                        "the tracks of this block have at most %1 trials, so that a session may "
+                        "have no catch trial; state that number or less"))
+              .with(std::to_string(trials)));
       return;
     }
   }
   if (most_trials_of(checked.protocol, block) > kMaximumTrials) {
     checked.report(
         pointer + "/procedure",
-        "this block can have " + std::to_string(most_trials_of(checked.protocol, block)) +
-            " trials, more than " + std::to_string(kMaximumTrials) +
-            ", too many for a participant; reduce the maximum number of trials of a track, the "
-            "tracks or the levels of the other factors");
+        phrase("Protocols",
+               "this block can have %1 trials, more than %2, too many for a participant; reduce "
+               "the maximum number of trials of a track, the tracks or the levels of the other "
+               "factors")
+            .with(std::to_string(most_trials_of(checked.protocol, block)),
+                  std::to_string(kMaximumTrials)));
   }
 }
 
@@ -236,8 +268,9 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
   for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row",
                                 "minimum_distance", "fixed_positions", "until"}) {
     if (!object.contains(key)) continue;
-    checked.report_key(pointer + "/" + key,
-                       "the procedure of a block determines its trials; remove this key");
+    checked.report_key(
+        pointer + "/" + key,
+        phrase("Protocols", "the procedure of a block determines its trials; remove this key"));
   }
   const auto method = object.at("procedure").at("method").get<std::string>();
   for (const auto& [name, at] : texts_of(checked, block.exploration, pointer + "/exploration")) {
@@ -248,18 +281,20 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
     }
     checked.report(
         pointer_to("/explorations", name) + "/on_failure",
-        "the block " + in_quotes(block.name) +
-            " has a procedure, which needs the response to a trial before the next one; use "
-            "\"repeat_now\" or \"flag\"");
+        phrase("Protocols",
+               "the block %1 has a procedure, which needs the response to a trial before the next "
+               "one; use %2 or %3")
+            .with(in_quotes(block.name), in_quotes("repeat_now"), in_quotes("flag")));
   }
   if (!has_levels(*block.vary)) return;  // reported at /vary
   // A staircase and a posterior need levels in equal steps.
   const bool takes_any_levels = method == constant_stimuli().id || method == external().id;
   if (!takes_any_levels && !block.vary->grid) {
     checked.report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
-                   "the method " + in_quotes(method) +
-                       " needs levels in equal steps; state the levels as a grid: {\"lowest\": …, "
-                       "\"highest\": …, \"step\": …}");
+                   phrase("Protocols",
+                          "the method %1 needs levels in equal steps; state the levels as a grid: "
+                          "{\"lowest\": …, \"highest\": …, \"step\": …}")
+                       .with(in_quotes(method)));
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
@@ -270,9 +305,10 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
              judged != nullptr && judged->judgement() == DiscriminationJudgement::performance) {
     checked.report(
         place + "/method",
-        "the method " + in_quotes(method) +
-            " presents a lower level after correct responses, but below the standard lower levels "
-            "are easier; state levels above the standard, or use \"constant_stimuli\"");
+        phrase("Protocols",
+               "the method %1 presents a lower level after correct responses, but below the "
+               "standard lower levels are easier; state levels above the standard, or use %2")
+            .with(in_quotes(method), in_quotes(constant_stimuli().id)));
     return;
   }
   check_unforced(checked, block, method, pointer);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "analysis/numbers/overloaded.h"
 #include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
@@ -26,23 +27,24 @@ void check_participant_questions(CheckedDocument& checked) {
       continue;
     }
     const Question& question = found->second;
-    const std::string remedy = "; ask it in the flow, with {\"ask\": [" + in_quotes(name) + "]}";
     if (question.condition) {
       checked.report(pointer,
-                     "the question " + in_quotes(name) +
-                         " has a condition, and the questions about the participant are asked "
-                         "together, before the session" +
-                         remedy);
+                     phrase("Protocols",
+                            "the question %1 has a condition, and the questions about the "
+                            "participant are asked together, before the session; ask it in the "
+                            "flow, with {\"ask\": [%1]}")
+                         .with(in_quotes(name)));
     }
     const bool has_field = question.is_answered_by<ChoiceForm>() ||
                            question.is_answered_by<NumberForm>() ||
                            question.is_answered_by<TextForm>();
     if (!has_field) {
       checked.report(
-          pointer, "the question " + in_quotes(name) + " is answered by " +
-                       std::string(description_of(question.form)) +
-                       ", and a question about the participant by one option, a number or a text" +
-                       remedy);
+          pointer,
+          phrase("Protocols",
+                 "the question %1 is answered by %2, and a question about the participant by one "
+                 "option, a number or a text; ask it in the flow, with {\"ask\": [%1]}")
+              .with(in_quotes(name), description_of(question.form)));
     }
   }
 }
@@ -61,10 +63,123 @@ void check_condition(CheckedDocument& checked, const AnswerCondition& condition,
   if (!asked.contains(condition.question)) {
     checked.report(
         at_question,
-        "the flow does not ask the question " + in_quotes(condition.question) +
-            " before; ask it in an earlier step of the flow, or earlier in the same one");
+        phrase("Protocols",
+               "the flow does not ask the question %1 before; ask it in an earlier step of the "
+               "flow, or earlier in the same one")
+            .with(in_quotes(condition.question)));
   }
   check_test(checked, condition, question->second, pointer);
+}
+
+/// In quotation marks, if it is not a number.
+std::string quoted_value(const AnswerValue& value) {
+  const auto* const number = std::get_if<double>(&value);
+  return number != nullptr ? digits(*number) : in_quotes(std::get<std::string>(value));
+}
+
+Phrase not_an_option(const AnswerValue& value, const Question& question) {
+  std::vector<std::string> options{};
+  for (const Option& option : question.options) options.push_back(option.value);
+  return options.empty()
+             ? phrase("Protocols",
+                      "%1 is not an option of the question %2; state the options of that question")
+                   .with(quoted_value(value), in_quotes(question.name))
+             : phrase("Protocols", "%1 is not an option of the question %2; use %3")
+                   .with(quoted_value(value), in_quotes(question.name),
+                         joined_by_or(quoted(options)));
+}
+
+Phrase other_test(const Question& question) {
+  if (question.is_answered_by<MultipleChoiceForm>()) {
+    return phrase("Protocols", "state %1").with(key_name("includes"));
+  }
+  if (question.is_answered_by<ChoiceForm>() || numbers_of(question.form)) {
+    return phrase("Protocols", "state %1 or %2").with(key_name("is"), key_name("in"));
+  }
+  return phrase("Protocols", "refer to another question");
+}
+
+std::optional<Phrase> problem_with_value(const AnswerValue& value, const Question& question) {
+  const std::string name = in_quotes(question.name);
+  if (question.is_answered_by<MultipleChoiceForm>()) {
+    return phrase("Protocols",
+                  "several options of the question %1 may be chosen; state %2 with one of them")
+        .with(name, key_name("includes"));
+  }
+  const auto* const number = std::get_if<double>(&value);
+  if (question.is_answered_by<ChoiceForm>()) {
+    if (number == nullptr && question.option_of(std::get<std::string>(value))) return {};
+    return not_an_option(value, question);
+  }
+  const std::optional<NumberRange> range = numbers_of(question.form);
+  if (!range) {
+    return phrase("Protocols",
+                  "the question %1 is answered by %2, which no condition can refer to; refer to "
+                  "another question")
+        .with(name, description_of(question.form));
+  }
+  if (number == nullptr) {
+    return phrase("Protocols",
+                  "%1 is not a number, and the question %2 is answered by %3; state a number")
+        .with(quoted_value(value), name, description_of(question.form));
+  }
+  if ((range->minimum && *number < *range->minimum) ||
+      (range->maximum && *number > *range->maximum)) {
+    return phrase("Protocols", "%1 cannot be the answer to the question %2; use a number of %3")
+        .with(digits(*number), name, range_text(range->minimum, range->maximum));
+  }
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  if (scale == nullptr || scale->can_be_stored_as(digits(*number))) return {};
+  return phrase("Protocols",
+                "%1 is not a point of the scale of the question %2; the points are %3 apart, from "
+                "%4 to %5")
+      .with(digits(*number), name, digits(scale->value_at(1) - scale->value_at(0)),
+            digits(scale->minimum), digits(scale->maximum));
+}
+
+std::optional<Phrase> problem_with_option(const AnswerIncludes& includes,
+                                          const Question& question) {
+  if (!question.is_answered_by<MultipleChoiceForm>()) {
+    return phrase("Protocols",
+                  "the question %1 is answered by %2, and only a multiple choice includes options; "
+                  "%3")
+        .with(in_quotes(question.name), description_of(question.form), other_test(question));
+  }
+  if (question.option_of(includes.option)) return {};
+  return not_an_option(includes.option, question);
+}
+
+std::optional<Phrase> problem_with_range(const AnswerWithin& within, const Question& question) {
+  const std::optional<NumberRange> range = numbers_of(question.form);
+  if (!range) {
+    return phrase("Protocols",
+                  "the question %1 is answered by %2, and only a number or a scale has a range; %3")
+        .with(in_quotes(question.name), description_of(question.form), other_test(question));
+  }
+  if (within.minimum && within.maximum && *within.minimum > *within.maximum) {
+    return phrase("Protocols", "no number is at least %1 and at most %2; exchange the two")
+        .with(digits(*within.minimum), digits(*within.maximum));
+  }
+  const bool is_above = within.minimum && range->maximum && *within.minimum > *range->maximum;
+  const bool is_below = within.maximum && range->minimum && *within.maximum < *range->minimum;
+  if (!is_above && !is_below) return {};
+  return phrase("Protocols", "the answer to the question %1 is %2 and never %3; change the range")
+      .with(in_quotes(question.name), range_text(range->minimum, range->maximum),
+            range_text(within.minimum, within.maximum));
+}
+
+/// What prevents an answer to the question from meeting the condition; nothing where some answer meets it. `value`: of the
+/// values of AnswerIsOneOf, the one that is judged.
+std::optional<Phrase> problem_with(const AnswerCondition& condition, const Question& question,
+                                   std::size_t value) {
+  return std::visit(
+      Overloaded{
+          [&](const AnswerIsOneOf& one_of) {
+            return problem_with_value(one_of.values.at(value), question);
+          },
+          [&](const AnswerIncludes& includes) { return problem_with_option(includes, question); },
+          [&](const AnswerWithin& within) { return problem_with_range(within, question); }},
+      condition.test);
 }
 
 }  // namespace
@@ -87,22 +202,27 @@ void check_form(CheckedDocument& checked, const Question& question, const std::s
   const bool needs_options =
       has_several || (stated == ChoiceForm::kName && options == OptionsOfChoice::stated);
   if (needs_options && question.options.empty()) {
-    checked.report(pointer, std::string(has_several ? "a multiple choice" : "a choice") +
-                                " needs \"options\"; add this key");
+    checked.report(pointer,
+                   (has_several ? phrase("Protocols", "a multiple choice needs %1; add this key")
+                                : phrase("Protocols", "a choice needs %1; add this key"))
+                       .with(key_name("options")));
   }
   if (stated == ScaleForm::kName && !object.contains("scale")) {
-    checked.report(pointer,
-                   "a scale needs the key \"scale\", such as \"scale\": {\"minimum\": 1, "
-                   "\"maximum\": 7, \"points\": 7}; add this key");
+    checked.report(pointer, phrase("Protocols",
+                                   "a scale needs the key %1, such as \"scale\": {\"minimum\": 1, "
+                                   "\"maximum\": 7, \"points\": 7}; add this key")
+                                .with(key_name("scale")));
   } else if (const auto* const scale = std::get_if<ScaleForm>(&question.form)) {
     check_scale_form(checked, *scale, pointer + "/scale");
   }
   const auto* const number = std::get_if<NumberForm>(&question.form);
   if (number != nullptr && number->minimum && number->maximum &&
       *number->minimum > *number->maximum) {
-    checked.report(pointer + "/minimum", "no number is at least " + digits(*number->minimum) +
-                                             " and at most " + digits(*number->maximum) +
-                                             "; lower the minimum or raise the maximum");
+    checked.report(pointer + "/minimum",
+                   phrase("Protocols",
+                          "no number is at least %1 and at most %2; lower the minimum or raise the "
+                          "maximum")
+                       .with(digits(*number->minimum), digits(*number->maximum)));
   }
 }
 
@@ -117,14 +237,17 @@ void check_options(CheckedDocument& checked, const Question& question, const std
                          [&](const Option& each) { return each.*what == text; });
     };
     if (is_in(earlier, &Option::value, here.value)) {
-      checked.report(at, in_quotes(here.value) + " is listed twice; list it once");
+      checked.report(
+          at, phrase("Protocols", "%1 is listed twice; list it once").with(in_quotes(here.value)));
     } else if (is_in(earlier, &Option::text, here.text)) {
-      checked.report(at,
-                     in_quotes(here.text) + " is shown for two options; give each its own text");
+      checked.report(at, phrase("Protocols", "%1 is shown for two options; give each its own text")
+                             .with(in_quotes(here.text)));
     }
     if (here.text != here.value && is_in(question.options, &Option::value, here.text)) {
-      checked.report(at, in_quotes(here.text) + " is shown for " + in_quotes(here.value) +
-                             " and stored for another option: give them different words");
+      checked.report(
+          at, phrase("Protocols",
+                     "%1 is shown for %2 and stored for another option: give them different words")
+                  .with(in_quotes(here.text), in_quotes(here.value)));
     }
   }
 }
@@ -159,9 +282,12 @@ bool states_one_test(CheckedDocument& checked, const std::string& pointer) {
                                            [&](const char* key) { return object.contains(key); });
   const bool has_range = object.contains("at_least") || object.contains("at_most");
   if (tests + (has_range ? 1 : 0) == 1) return true;
-  checked.report(pointer,
-                 "a condition states one of \"is\", \"in\", \"includes\", or a range with "
-                 "\"at_least\", \"at_most\" or both; keep one of them");
+  checked.report(
+      pointer, phrase("Protocols",
+                      "a condition states one of %1, %2, %3, or a range with %4, %5 or both; "
+                      "keep one of them")
+                   .with(key_name("is"), key_name("in"), key_name("includes"), key_name("at_least"),
+                         key_name("at_most")));
   return false;
 }
 
@@ -171,7 +297,7 @@ void check_test(CheckedDocument& checked, const AnswerCondition& condition,
   const auto* const one_of = std::get_if<AnswerIsOneOf>(&condition.test);
   const std::size_t values = one_of == nullptr ? 1 : one_of->values.size();
   for (std::size_t i = 0; i < values; ++i) {
-    const std::optional<std::string> problem = problem_with(condition, question, i);
+    const std::optional<Phrase> problem = problem_with(condition, question, i);
     if (!problem) continue;
     std::string place = "/at_most";
     for (const char* const key : {"at_least", "includes", "is"}) {

@@ -18,13 +18,12 @@ std::string key_of(const PlannedPresentation& planned) {
          planned.stimulus.texture;
 }
 
-std::string name_of(const PlannedPresentation& planned) {
-  std::string name = "the stimulus " + in_quotes(planned.stimulus_template) + " with the model " +
-                     in_quotes(planned.stimulus.model);
-  if (!planned.stimulus.texture.empty()) {
-    name += " and the texture " + in_quotes(planned.stimulus.texture);
-  }
-  return name;
+Phrase name_of(const PlannedPresentation& planned) {
+  return (planned.stimulus.texture.empty()
+              ? phrase("Protocols", "the stimulus %1 with the model %2")
+              : phrase("Protocols", "the stimulus %1 with the model %2 and the texture %3"))
+      .with(in_quotes(planned.stimulus_template), in_quotes(planned.stimulus.model),
+            in_quotes(planned.stimulus.texture));
 }
 
 const PlannedPresentation* surface_of_role(const Trial& trial, const std::string& role) {
@@ -43,20 +42,24 @@ void check_relative_amplitude(CheckedDocument& checked, const Block& block,
     const auto model = checked.models.find(id);
     if (model == checked.models.end() || model->second->amplitude_parameter) continue;
     checked.report(pointer + "/vary/parameter",
-                   "the model " + in_quotes(id) + " of the stimulus " + in_quotes(stimulus.name) +
-                       " has no amplitude; exclude it from the block, or use a model that has one");
+                   phrase("Protocols",
+                          "the model %1 of the stimulus %2 has no amplitude; exclude it from the "
+                          "block, or use a model that has one")
+                       .with(in_quotes(id), in_quotes(stimulus.name)));
   }
   if (!dimension.values().empty() && !(dimension.values().front() > 0.0)) {
     checked.report(pointer + "/vary/" + std::string(asperity::key_of(dimension.measure)),
-                   "a relative amplitude is above 0, but the lowest level is " +
-                       digits(dimension.levels().front()) +
-                       "; raise it, or state \"levels_decibels\"");
+                   phrase("Protocols",
+                          "a relative amplitude is above 0, but the lowest level is %1; raise it, "
+                          "or state %2")
+                       .with(digits(dimension.levels().front()), key_name("levels_decibels")));
   }
   if (block.equal_roughness) {
     checked.report_key(
         pointer + "/equal_roughness",
-        "this block varies the relative amplitude, which equal roughness would determine; "
-        "remove one of the two keys");
+        phrase("Protocols",
+               "this block varies the relative amplitude, which equal roughness would determine; "
+               "remove one of the two keys"));
   }
 }
 
@@ -74,9 +77,11 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
   const Block& matching = found->second;
   const std::string at_matching = pointer_to("/blocks", name);
   if (!matching.vary || !matching.vary->is_relative_amplitude()) {
-    checked.report(place, "the block " + in_quotes(name) +
-                              " does not match roughness: let it \"vary\" the parameter " +
-                              in_quotes(kRelativeAmplitude) + ", or name another block");
+    checked.report(place,
+                   phrase("Protocols",
+                          "the block %1 does not match roughness: state the parameter %3 under %2 "
+                          "of it, or name another block")
+                       .with(in_quotes(name), key_name("vary"), in_quotes(kRelativeAmplitude)));
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(matching);
@@ -84,8 +89,10 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
     checked.report(
         place_of_question(matching, static_cast<std::size_t>(judged - matching.questions.data())) +
             "/judgement",
-        "roughness is matched where both surfaces are judged rougher equally often, which "
-        "the judgement \"performance\" does not estimate; use \"comparison\"");
+        phrase("Protocols",
+               "roughness is matched where both surfaces are judged rougher equally often, which "
+               "the judgement %1 does not estimate; use %2")
+            .with(in_quotes("performance"), in_quotes("comparison")));
   }
   if (!matching.procedure ||
       !std::all_of(
@@ -93,14 +100,18 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
           [](const ProcedureSettings& settings) { return equality_track(settings).has_value(); })) {
     checked.report(
         at_matching + (matching.procedure ? "/procedure" : ""),
-        "the block " + in_quotes(block.name) +
-            " needs the amplitudes of equal roughness from this block: state a procedure "
-            "\"transformed_up_down\" with \"down\": 1, \"up\": 1 and equal steps");
+        phrase("Protocols",
+               "the block %1 needs the amplitudes of equal roughness from this block: state a "
+               "procedure %2 with %3: 1, %4: 1 and equal steps")
+            .with(in_quotes(block.name), in_quotes("transformed_up_down"), key_name("down"),
+                  key_name("up")));
   }
   for (const std::string& factor : matching.drawn) {
-    checked.report(at_matching + "/drawn", "a track matches one stimulus, but the factor " +
-                                               in_quotes(factor) +
-                                               " is drawn for every trial; cross it instead");
+    checked.report(at_matching + "/drawn",
+                   phrase("Protocols",
+                          "a track matches one stimulus, but the factor %1 is drawn for every "
+                          "trial; cross it instead")
+                       .with(in_quotes(factor)));
   }
   std::size_t runs_before = 0;
   for (std::size_t i = 0; i < checked.protocol.flow.size(); ++i) {
@@ -109,21 +120,25 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
     const std::string at_run = pointer_to("/flow", i);
     if (run->block == name) {
       if (++runs_before > 1) {
-        checked.report(at_run + "/run", "the block " + in_quotes(name) +
-                                            " would match the same stimuli twice; run it once");
+        checked.report(
+            at_run + "/run",
+            phrase("Protocols", "the block %1 would match the same stimuli twice; run it once")
+                .with(in_quotes(name)));
       }
       if (!run->for_each.empty()) {
         checked.report(at_run + "/for_each",
-                       "the block " + in_quotes(name) +
-                           " matches all stimuli in one run; cross the factor " +
-                           in_quotes(run->for_each) + " in the block instead");
+                       phrase("Protocols",
+                              "the block %1 matches all stimuli in one run; cross the factor %2 in "
+                              "the block instead")
+                           .with(in_quotes(name), in_quotes(run->for_each)));
       }
     }
     if (run->block == block.name && runs_before == 0) {
-      checked.report(at_run + "/run", "the block " + in_quotes(block.name) +
-                                          " presents surfaces of equal roughness, but the block " +
-                                          in_quotes(name) +
-                                          ", which matches them, has not been run; run it before");
+      checked.report(at_run + "/run",
+                     phrase("Protocols",
+                            "the block %1 presents surfaces of equal roughness, but the block %2, "
+                            "which matches them, has not been run; run it before")
+                         .with(in_quotes(block.name), in_quotes(name)));
     }
   }
 }
@@ -148,15 +163,18 @@ void check_matches(CheckedDocument& checked, const std::vector<Trial>& possible)
       if (!is_new && !are_of_same_stimulus(*known->second, *varied)) {
         checked.report(
             at_matching + "/presented",
-            name_of(*varied) +
-                " would be matched several times, with different parameters; a match belongs to "
-                "a stimulus, a model and a texture: define a stimulus for each of them, with a "
-                "separate block that matches it and a separate block that presents it");
+            phrase("Protocols",
+                   "%1 would be matched several times, with different parameters; a match belongs "
+                   "to a stimulus, a model and a texture: define a stimulus for each of them, with "
+                   "a separate block that matches it and a separate block that presents it")
+                .with(name_of(*varied)));
       }
       if (are_of_same_stimulus(*varied, *reference)) {
-        checked.report(at_matching,
-                       name_of(*varied) +
-                           " would be matched with itself: it is the reference; \"exclude\" it");
+        checked.report(
+            at_matching,
+            phrase("Protocols",
+                   "%1 would be matched with itself: it is the reference; list it under %2")
+                .with(name_of(*varied), key_name("exclude")));
       }
     }
     for (const Trial& trial : possible) {
@@ -171,10 +189,10 @@ void check_matches(CheckedDocument& checked, const std::vector<Trial>& possible)
           continue;
         }
         checked.report(pointer_to("/blocks", name) + "/equal_roughness",
-                       name_of(planned) + " is neither matched in the block " +
-                           in_quotes(matched_in) +
-                           " nor its reference; present the same stimulus there, with the same "
-                           "parameters, material and equal_force");
+                       phrase("Protocols",
+                              "%1 is neither matched in the block %2 nor its reference; present "
+                              "the same stimulus there, with the same parameters, material and %3")
+                           .with(name_of(planned), in_quotes(matched_in), key_name("equal_force")));
       }
     }
   }

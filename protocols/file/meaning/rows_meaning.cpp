@@ -28,8 +28,9 @@ std::string text_of_levels(const FactorLevels& levels) {
   return text;
 }
 
-std::string trials_text(std::size_t trials) {
-  return std::to_string(trials) + (trials == 1 ? " trial" : " trials");
+Phrase trials_text(std::size_t trials) {
+  return (trials == 1 ? phrase("Protocols", "%1 trial") : phrase("Protocols", "%1 trials"))
+      .with(std::to_string(trials));
 }
 
 /// Whether every row of the block has a level of the factor that is not computed.
@@ -50,8 +51,10 @@ bool check_row_levels(CheckedDocument& checked, const Block& block, const Factor
     if (!check_level(checked, factor, level, at)) {
       is_valid = false;
     } else if (!is_row_factor(block, factor)) {
-      checked.report_key(at, "the block neither crosses, lists nor varies the factor " +
-                                 in_quotes(factor) + "; cross or list it, or remove this key");
+      checked.report_key(at, phrase("Protocols",
+                                    "the block neither crosses, lists nor varies the factor %1; "
+                                    "cross or list it, or remove this key")
+                                 .with(in_quotes(factor)));
       is_valid = false;
     }
   }
@@ -65,28 +68,34 @@ void check_derived(CheckedDocument& checked, const Block& block, const std::stri
     const std::string at = pointer_to(pointer + "/derived", name);
     if (declared.contains("factors") && declared.at("factors").contains(name)) {
       checked.report_key(
-          at, "the factor " + in_quotes(name) +
-                  " is declared with levels and cannot be computed; use another name, or "
-                  "remove it from factors");
+          at, phrase("Protocols",
+                     "the factor %1 is declared with levels and cannot be computed; use another "
+                     "name, or remove it from %2")
+                  .with(in_quotes(name), key_name("factors")));
       continue;
     }
     const auto parsed = Arithmetic::parse(formula);
     if (const auto* const problem = std::get_if<ArithmeticProblem>(&parsed)) {
-      checked.report(at, "the formula cannot be read: " + problem->text + "; correct it");
+      checked.report(
+          at,
+          phrase("Protocols", "the formula cannot be read: %1; correct it").with(problem->text));
       continue;
     }
     bool is_computable = true;
     for (const std::string& used : std::get<Arithmetic>(parsed).names()) {
       if (block.derived.contains(used)) {
-        checked.report(at, in_quotes(used) + " is itself computed; write its formula here instead");
+        checked.report(at,
+                       phrase("Protocols", "%1 is itself computed; write its formula here instead")
+                           .with(in_quotes(used)));
         is_computable = false;
       } else if (!checked.protocol.factors.contains(used)) {
         checked.report(at, unknown_name("factor", used, checked.protocol.factors));
         is_computable = false;
       } else if (!is_row_factor(block, used)) {
-        checked.report(at, "the block neither crosses, lists nor varies the factor " +
-                               in_quotes(used) +
-                               "; cross or list it, or use another factor in the formula");
+        checked.report(at, phrase("Protocols",
+                                  "the block neither crosses, lists nor varies the factor %1; "
+                                  "cross or list it, or use another factor in the formula")
+                               .with(in_quotes(used)));
         is_computable = false;
       } else {
         const std::vector<Level>& levels = checked.protocol.factors.at(used).levels;
@@ -94,9 +103,10 @@ void check_derived(CheckedDocument& checked, const Block& block, const std::stri
           return std::holds_alternative<std::string>(level);
         };
         if (std::any_of(levels.begin(), levels.end(), is_name)) {
-          checked.report(at,
-                         "the levels of the factor " + in_quotes(used) +
-                             " are names, and a formula needs numbers; use a factor with numbers");
+          checked.report(at, phrase("Protocols",
+                                    "the levels of the factor %1 are names, and a formula needs "
+                                    "numbers; use a factor with numbers")
+                                 .with(in_quotes(used)));
           is_computable = false;
         }
       }
@@ -106,8 +116,10 @@ void check_derived(CheckedDocument& checked, const Block& block, const std::stri
       if (row.factors.contains(name)) continue;
       FactorLevels levels = row.factors;
       std::erase_if(levels, [&](const auto& each) { return block.derived.contains(each.first); });
-      checked.report(at, "the formula has no finite value for " + text_of_levels(levels) +
-                             "; exclude this combination, or change the formula or a level");
+      checked.report(at, phrase("Protocols",
+                                "the formula has no finite value for %1; exclude this combination, "
+                                "or change the formula or a level")
+                             .with(text_of_levels(levels)));
       break;
     }
   }
@@ -120,8 +132,10 @@ void check_repetitions_of(CheckedDocument& checked, const Block& block,
   if (block.order == Block::Order::shuffle_within_repetition) {
     checked.report(
         pointer + "/order",
-        "with unequal repetitions the repetitions do not have the same trials; use \"shuffle\", "
-        "or remove repetitions_of");
+        phrase("Protocols",
+               "with unequal repetitions the repetitions do not have the same trials; use %1, or "
+               "remove %2")
+            .with(in_quotes("shuffle"), key_name("repetitions_of")));
   }
   std::vector<std::size_t> matches(rows.size());
   for (std::size_t i = 0; i < block.repetitions_of.size(); ++i) {
@@ -134,14 +148,15 @@ void check_repetitions_of(CheckedDocument& checked, const Block& block,
       has_row = true;
       if (++matches[row] != 2) continue;
       checked.report(at + "/levels",
-                     "the combination " + text_of_levels(rows[row].factors) +
-                         " already has repetitions by an earlier entry; make the entries "
-                         "exclude each other");
+                     phrase("Protocols",
+                            "the combination %1 already has repetitions by an earlier entry; make "
+                            "the entries exclude each other")
+                         .with(text_of_levels(rows[row].factors)));
       break;
     }
     if (!has_row) {
-      checked.report(at + "/levels",
-                     "no combination has " + text_of_levels(levels) + "; remove this entry");
+      checked.report(at + "/levels", phrase("Protocols", "no combination has %1; remove this entry")
+                                         .with(text_of_levels(levels)));
     }
   }
 }
@@ -154,12 +169,14 @@ void check_places(CheckedDocument& checked, const Block& block, const std::vecto
     for (const auto& [level, count] : counts) {
       const std::size_t needed = (count - 1) * static_cast<std::size_t>(minimum) + 1;
       if (needed <= trials.size()) continue;
-      checked.report(pointer_to(pointer + "/minimum_distance", factor),
-                     "the level " + in_quotes(text_of(level)) + " has " + trials_text(count) +
-                         ", which at a distance of " + std::to_string(minimum) + " need " +
-                         std::to_string(needed) + " positions, but the block has " +
-                         trials_text(trials.size()) +
-                         "; reduce the distance or the repetitions, or add other levels");
+      checked.report(
+          pointer_to(pointer + "/minimum_distance", factor),
+          phrase("Protocols",
+                 "the level %1 has %2, which at a distance of %3 need %4 positions, but "
+                 "the block has %5; reduce the distance or the repetitions, or add "
+                 "other levels")
+              .with(in_quotes(text_of(level)), trials_text(count), std::to_string(minimum),
+                    std::to_string(needed), trials_text(trials.size())));
       break;
     }
   }
@@ -169,13 +186,15 @@ void check_places(CheckedDocument& checked, const Block& block, const std::vecto
     const auto& [position, levels] = block.fixed_positions[i];
     const std::string at = pointer_to(pointer + "/fixed_positions", i);
     if (static_cast<std::size_t>(position) > trials.size()) {
-      checked.report(at + "/position", "the block has " + trials_text(trials.size()) +
-                                           "; state a position from 1 to " +
-                                           std::to_string(trials.size()));
+      checked.report(at + "/position",
+                     phrase("Protocols", "the block has %1; state a position from 1 to %2")
+                         .with(trials_text(trials.size()), std::to_string(trials.size())));
     } else if (!positions.insert(position).second) {
       checked.report(at + "/position",
-                     "the position " + std::to_string(position) +
-                         " is already fixed by an earlier entry; remove one of them");
+                     phrase("Protocols",
+                            "the position %1 is already fixed by an earlier entry; remove one of "
+                            "them")
+                         .with(std::to_string(position)));
     }
     const auto available = static_cast<std::size_t>(
         std::count_if(trials.begin(), trials.end(), [&, &own = levels](const BlockTrial& trial) {
@@ -184,10 +203,12 @@ void check_places(CheckedDocument& checked, const Block& block, const std::vecto
     if (++wanted[text_of_levels(levels)] > available) {
       checked.report(at + "/levels",
                      available == 0
-                         ? "no trial has " + text_of_levels(levels) + "; correct the levels"
-                         : "only " + trials_text(available) + " have " + text_of_levels(levels) +
-                               ", and more positions require them; remove entries, or raise "
-                               "the repetitions");
+                         ? phrase("Protocols", "no trial has %1; correct the levels")
+                               .with(text_of_levels(levels))
+                         : phrase("Protocols",
+                                  "only %1 have %2, and more positions require them; remove "
+                                  "entries, or raise the repetitions")
+                               .with(trials_text(available), text_of_levels(levels)));
     }
   }
 }
@@ -208,11 +229,13 @@ void check_balance(CheckedDocument& checked, const Block& block, const std::stri
     const std::size_t trials = trials_of(block, rows).size();
     const std::size_t surfaces = surfaces_in_trial(block);
     if (trials % surfaces == 0) continue;
-    checked.report(pointer + "/positions",
-                   "balanced positions need a multiple of " + std::to_string(surfaces) +
-                       " trials, the number of surfaces, but the block has " +
-                       std::to_string(trials) +
-                       "; change the number of repetitions or of levels, or remove positions");
+    checked.report(
+        pointer + "/positions",
+        phrase("Protocols",
+               "balanced positions need a multiple of %1 trials, the number of "
+               "surfaces, but the block has %2; change the number of repetitions or of "
+               "levels, or remove %3")
+            .with(std::to_string(surfaces), std::to_string(trials), key_name("positions")));
     return;
   }
 }
@@ -242,20 +265,29 @@ void check_possible_order(CheckedDocument& checked, const Block& block,
   const bool is_alone = (whole.limits.empty() ? 0 : 1) + (whole.distances.empty() ? 0 : 1) +
                             (whole.places.empty() ? 0 : 1) ==
                         1;
-  const std::string with_others =
-      is_alone || key == "maximum_in_a_row" ? "" : " together with the other constraints";
   if (is_fixed) {
-    checked.report(pointer + "/" + key, "the fixed order of this block violates " + key +
-                                            "; use \"shuffle\" or write the rows in another order");
+    checked.report(pointer + "/" + key,
+                   phrase("Protocols",
+                          "the fixed order of this block violates %1; use %2 or write the rows in "
+                          "another order")
+                       .with(key_name(key), in_quotes("shuffle")));
     return;
   }
-  checked.report(pointer + "/" + key,
-                 "no order of the block's " + std::to_string(whole.trials) + " trials satisfies " +
-                     key + with_others +
-                     (key == "maximum_in_a_row" ? "; allow more in a row, or add other levels"
-                      : key == "minimum_distance"
-                          ? "; reduce the distance, or add other levels"
-                          : "; free some of the positions, or relax the other constraints"));
+  const Phrase problem =
+      (is_alone || key == "maximum_in_a_row"
+           ? phrase("Protocols", "no order of the block's %1 trials satisfies %2")
+           : phrase("Protocols",
+                    "no order of the block's %1 trials satisfies %2 together with the other "
+                    "constraints"))
+          .with(std::to_string(whole.trials), key_name(key));
+  checked.report(
+      pointer + "/" + key,
+      (key == "maximum_in_a_row"
+           ? phrase("Protocols", "%1; allow more in a row, or add other levels")
+       : key == "minimum_distance"
+           ? phrase("Protocols", "%1; reduce the distance, or add other levels")
+           : phrase("Protocols", "%1; free some of the positions, or relax the other constraints"))
+          .with(problem));
 }
 
 void check_constraints(CheckedDocument& checked, const Block& block, const std::string& pointer) {
@@ -302,20 +334,23 @@ void check_rows(CheckedDocument& checked, const Block& block, const std::string&
     if (block.crossed.empty() && !block.vary) {
       checked.report_key(
           pointer + "/exclude",
-          "only combinations of crossed or varied levels are excluded; remove the trials "
-          "from listed, or cross factors");
+          phrase("Protocols",
+                 "only combinations of crossed or varied levels are excluded; remove the trials "
+                 "from %1, or cross factors")
+              .with(key_name("listed")));
       break;
     }
     if (!check_row_levels(checked, block, block.exclude[i], at)) continue;
     if (std::none_of(rows.begin(), rows.end(), [&](const BlockRow& row) {
           return has_levels(row.factors, block.exclude[i]);
         })) {
-      checked.report(
-          at, "no combination has " + text_of_levels(block.exclude[i]) + "; remove this entry");
+      checked.report(at, phrase("Protocols", "no combination has %1; remove this entry")
+                             .with(text_of_levels(block.exclude[i])));
     }
   }
   if (!block.exclude.empty() && !rows.empty() && rows_of(checked.protocol, block).empty()) {
-    checked.report(pointer + "/exclude", "all combinations are excluded; remove entries");
+    checked.report(pointer + "/exclude",
+                   phrase("Protocols", "all combinations are excluded; remove entries"));
   }
   check_repetitions_of(checked, block, rows_of(checked.protocol, block), pointer);
 }
@@ -331,10 +366,10 @@ void check_order(CheckedDocument& checked, const Block& block, const std::string
       }
       const bool is_varied = block.vary && block.vary->factor == factor;
       if (!is_varied && !is_row_factor(block, factor)) {
-        checked.report_key(at,
-                           std::string(key) +
-                               " applies only to factors that the block crosses, lists or varies; "
-                               "cross or list this one, or remove this key");
+        checked.report_key(at, phrase("Protocols",
+                                      "%1 applies only to factors that the block crosses, lists or "
+                                      "varies; cross or list this one, or remove this key")
+                                   .with(key_name(key)));
         return;
       }
     }
@@ -353,24 +388,29 @@ void check_order(CheckedDocument& checked, const Block& block, const std::string
   const std::size_t trials = trial_count(checked.protocol, block);
   if (block.has_anchor_at(AnchorPlace::middle) && !has_procedure && trials < 2) {
     checked.report(pointer + "/anchor_at",
-                   "a block with one trial has no middle; remove \"middle\"");
+                   phrase("Protocols", "a block with one trial has no middle; remove %1")
+                       .with(in_quotes("middle")));
   }
   if (trials > kMaximumTrials) {
     checked.report(
         pointer,
-        "this block has more than " + std::to_string(kMaximumTrials) +
-            " trials, too many for a participant; reduce the number of repetitions or of levels");
+        phrase("Protocols",
+               "this block has more than %1 trials, too many for a participant; reduce the number "
+               "of repetitions or of levels")
+            .with(std::to_string(kMaximumTrials)));
     return;
   }
   if (block.until && !has_procedure &&
       trials < static_cast<std::size_t>(block.until->maximum_trials)) {
     checked.report(
         pointer + "/until/maximum_trials",
-        "up to " + std::to_string(block.until->maximum_trials) +
-            " trials may be needed, but the block has " + std::to_string(trials) + "; with " +
-            std::to_string(rows) + " per repetition, set repetitions to " +
-            std::to_string((static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) /
-                           rows));
+        phrase("Protocols",
+               "up to %1 trials may be needed, but the block has %2; with %3 per repetition, set "
+               "%4 to %5")
+            .with(std::to_string(block.until->maximum_trials), std::to_string(trials),
+                  std::to_string(rows), key_name("repetitions"),
+                  std::to_string(
+                      (static_cast<std::size_t>(block.until->maximum_trials) + rows - 1) / rows)));
   }
   if (block.positions == Block::Positions::balanced && !block.until && !has_procedure) {
     check_balance(checked, block, pointer);

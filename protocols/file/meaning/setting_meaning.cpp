@@ -17,26 +17,31 @@ namespace asperity {
 namespace {
 
 /// The problem with the form of a HED string; empty if there is none.
-std::string hed_problem(const std::string& tags) {
+Phrase hed_problem(const std::string& tags) {
   int depth = 0;
   bool wants_tag = true;  // at the beginning, after a comma and after an opening parenthesis
   for (const char letter : tags) {
     if (letter == ' ') continue;
     if (std::string_view("[]{}~\"\n\t").find(letter) != std::string_view::npos) {
-      return std::string("a HED tag cannot contain ") +
-             (letter < ' ' ? "line breaks" : in_quotes(std::string(1, letter)));
+      return letter < ' ' ? phrase("Protocols", "a HED tag cannot contain line breaks")
+                          : phrase("Protocols", "a HED tag cannot contain %1")
+                                .with(in_quotes(std::string(1, letter)));
     }
     if (letter == ',' || letter == ')') {
-      if (wants_tag) return "a HED tag is missing before " + in_quotes(std::string(1, letter));
-      if (letter == ')' && --depth < 0) return "a closing parenthesis has no opening one";
+      if (wants_tag) {
+        return phrase("Protocols", "a HED tag is missing before %1")
+            .with(in_quotes(std::string(1, letter)));
+      }
+      if (letter == ')' && --depth < 0)
+        return phrase("Protocols", "a closing parenthesis has no opening one");
       wants_tag = letter == ',';
     } else {
       wants_tag = letter == '(';
       if (wants_tag) ++depth;
     }
   }
-  if (depth > 0) return "an opening parenthesis has no closing one";
-  return wants_tag ? "a HED tag is missing at the end" : "";
+  if (depth > 0) return phrase("Protocols", "an opening parenthesis has no closing one");
+  return wants_tag ? phrase("Protocols", "a HED tag is missing at the end") : Phrase();
 }
 
 /// Numbers are compared by value, independent of notation.
@@ -62,16 +67,19 @@ void check_hed(CheckedDocument& checked, const Factor& factor) {
         std::any_of(factor.levels.begin(), factor.levels.end(),
                     [&name = name](const Level& level) { return is_name_of(level, name); });
     if (!is_level) {
-      checked.report_key(pointer, in_quotes(name) + " is not a level of the factor " +
-                                      in_quotes(factor.name) + "; use " + one_of(names) +
-                                      did_you_mean(name, names));
+      checked.report_key(
+          pointer, with_guess(phrase("Protocols", "%1 is not a level of the factor %2; use %3")
+                                  .with(in_quotes(name), in_quotes(factor.name),
+                                        joined_by_or(quoted(names))),
+                              name, names));
     }
-    const std::string problem = hed_problem(tags.get<std::string>());
+    const Phrase problem = hed_problem(tags.get<std::string>());
     if (problem.empty()) continue;
     checked.report(pointer,
-                   problem +
-                       "; separate HED tags by commas and group them by parentheses, such as "
-                       "\"Sensory-event, (Rough, Large)\"");
+                   phrase("Protocols",
+                          "%1; separate HED tags by commas and group them by parentheses, such as "
+                          "%2")
+                       .with(problem, in_quotes("Sensory-event, (Rough, Large)")));
   }
 }
 
@@ -81,7 +89,8 @@ void check_band(CheckedDocument& checked, const Band& band, const std::string& p
   };
   if (!ordered(band.minimum, band.target) || !ordered(band.target, band.maximum) ||
       !ordered(band.minimum, band.maximum)) {
-    checked.report(pointer, "a band must be ascending: minimum ≤ target ≤ maximum");
+    checked.report(pointer,
+                   phrase("Protocols", "a band must be ascending: minimum ≤ target ≤ maximum"));
   }
 }
 
@@ -93,24 +102,27 @@ void check_guidance(CheckedDocument& checked, const Exploration& exploration,
   const std::string place = pointer + "/guidance";
   if (checked.protocol.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
     checked.report(place,
-                   "a blindfolded participant sees neither bars nor a target; choose \"tones\" or "
-                   "\"experimenter\", or another \"vision\"");
+                   phrase("Protocols",
+                          "a blindfolded participant sees neither bars nor a target; choose %1 or "
+                          "%2, or another %3")
+                       .with(in_quotes("tones"), in_quotes("experimenter"), key_name("vision")));
   }
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
       !bounded(exploration.speed_m_per_s)) {
     checked.report(
         place,
-        "there is no band to indicate: give normal_force_N or speed_m_per_s a minimum or a "
-        "maximum");
+        phrase("Protocols", "there is no band to indicate: give %1 or %2 a minimum or a maximum")
+            .with(key_name("normal_force_N"), key_name("speed_m_per_s")));
   }
   if (exploration.guidance == Guidance::moving_target) {
     const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
     if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
       checked.report(
           place,
-          "a moving target needs a speed and a length: give speed_m_per_s and stroke_length_m a "
-          "target above 0");
+          phrase("Protocols",
+                 "a moving target needs a speed and a length: give %1 and %2 a target above 0")
+              .with(key_name("speed_m_per_s"), key_name("stroke_length_m")));
     }
   }
 }
@@ -124,17 +136,19 @@ void check_applicability(CheckedDocument& checked) {
       checked.report_key(key.pointer, inapplicable_key(*key.condition));
       continue;
     }
-    std::vector<std::string> owners{};
+    std::vector<Phrase> owners{};
     std::vector<std::string> ids{};
     for (const std::string_view kind : key.condition->values()) {
-      owners.push_back("a " + std::string(kind_named(kind).name));
+      owners.push_back(phrase("Protocols", "a %1").with(kind_named(kind).name));
       ids.emplace_back(kind);
     }
     // A question that needs another kind needs another experiment.
     const bool is_of_question = key.pointer.find("/question") != std::string::npos;
-    checked.report_key(key.pointer,
-                       "only " + listed_words(owners, " or ") + " has this key; remove it" +
-                           (is_of_question ? "" : ", or set \"kind\" to " + one_of(ids)));
+    checked.report_key(
+        key.pointer,
+        (is_of_question ? phrase("Protocols", "only %1 has this key; remove it")
+                        : phrase("Protocols", "only %1 has this key; remove it, or set %2 to %3"))
+            .with(joined_by_or(owners), key_name("kind"), joined_by_or(quoted(ids))));
   }
 }
 
@@ -142,16 +156,17 @@ void check_head(CheckedDocument& checked) {
   for (const ExperimentKind* const kind : checked.kinds) {
     for (const RequiredKey& key : kind->required) {
       if (!checked.document.root().contains(key.name))
-        checked.report("/kind", std::string(key.if_missing));
+        checked.report("/kind", key.if_missing);
     }
   }
   const auto& patch = checked.protocol.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
-    checked.report("/surface/edge_width_m", "edges of " + digits(patch.edge_width_m) +
-                                                " m on both sides cover the whole patch of " +
-                                                digits(patch.extent_m.x) + " m by " +
-                                                digits(patch.extent_m.y) +
-                                                " m; reduce edge_width_m or enlarge the patch");
+    checked.report("/surface/edge_width_m",
+                   phrase("Protocols",
+                          "edges of %1 m on both sides cover the whole patch of %2 m by %3 m; "
+                          "reduce %4 or enlarge the patch")
+                       .with(digits(patch.edge_width_m), digits(patch.extent_m.x),
+                             digits(patch.extent_m.y), key_name("edge_width_m")));
   }
 }
 
@@ -159,9 +174,11 @@ void check_instability(CheckedDocument& checked) {
   // Vibration is judged from 150 Hz to half the rate.
   constexpr double kLowestRate_Hz = 300.0;
   if (!checked.protocol.instability || checked.protocol.rate_Hz > kLowestRate_Hz) return;
-  checked.report("/instability", "vibration above 150 Hz cannot be judged at a servo rate of " +
-                                     digits(checked.protocol.rate_Hz) +
-                                     " Hz: set device.rate_Hz above 300, or remove this key");
+  checked.report("/instability",
+                 phrase("Protocols",
+                        "vibration above 150 Hz cannot be judged at a servo rate of %1 Hz: set "
+                        "%2 above 300, or remove this key")
+                     .with(digits(checked.protocol.rate_Hz), place_name("/device/rate_Hz")));
 }
 
 void check_device_limits(CheckedDocument& checked) {
@@ -173,25 +190,25 @@ void check_device_limits(CheckedDocument& checked) {
   }
 }
 
-std::optional<std::string> complaint_about_path(const std::string& text) {
-  const auto refuse = [&](const std::string& why) {
-    return in_quotes(text) + " " + why +
-           "; name a file inside the study, such as \"stimuli/metal.png\"";
+std::optional<Phrase> complaint_about_path(const std::string& text) {
+  const auto refuse = [&](const Phrase& why) {
+    return phrase("Protocols", "%1; name a file inside the study, such as %2")
+        .with(why.with(in_quotes(text)), in_quotes("stimuli/metal.png"));
   };
   if (text.starts_with('/') || text.starts_with('~') || (text.size() > 1 && text[1] == ':')) {
-    return refuse("is not a path relative to the study");
+    return refuse(phrase("Protocols", "%1 is not a path relative to the study"));
   }
   for (const char c : text) {
     if (c == '\\' || static_cast<unsigned char>(c) < 0x20) {
-      return refuse("contains a backslash or a control character");
+      return refuse(phrase("Protocols", "%1 contains a backslash or a control character"));
     }
   }
   std::size_t from = 0;
   while (from <= text.size()) {
     const std::size_t end = std::min(text.find('/', from), text.size());
     const std::string_view part = std::string_view(text).substr(from, end - from);
-    if (part == "..") return refuse("points outside the study");
-    if (part.empty() || part == ".") return refuse("has an empty part");
+    if (part == "..") return refuse(phrase("Protocols", "%1 points outside the study"));
+    if (part.empty() || part == ".") return refuse(phrase("Protocols", "%1 has an empty part"));
     from = end + 1;
   }
   return {};
@@ -222,15 +239,17 @@ void check_textures(CheckedDocument& checked) {
     }
     if (!texture.height_field && !texture.picture && texture.assets.empty()) {
       checked.report(pointer,
-                     "this texture can be neither felt nor seen: give it a \"height_field\", a "
-                     "\"picture\" or both");
+                     phrase("Protocols",
+                            "this texture can be neither felt nor seen: give it a %1, a %2 or both")
+                         .with(key_name("height_field"), key_name("picture")));
     }
     if (texture.code.empty()) continue;
     const auto [other, is_new] = codes.emplace(texture.code, name);
     if (!is_new) {
-      checked.report(pointer + "/code", "the code " + in_quotes(texture.code) +
-                                            " is also that of " + in_quotes(other->second) +
-                                            "; give each texture its own code");
+      checked.report(
+          pointer + "/code",
+          phrase("Protocols", "the code %1 is also that of %2; give each texture its own code")
+              .with(in_quotes(texture.code), in_quotes(other->second)));
     }
   }
 }
@@ -246,15 +265,18 @@ void check_factors(CheckedDocument& checked) {
       if (level.index() != factor.levels.front().index()) {
         checked.report(
             pointer_to(pointer, i),
-            "the levels of a factor must be all numbers or all names; write this level in the "
-            "form of the first one");
+            phrase("Protocols",
+                   "the levels of a factor must be all numbers or all names; write this level in "
+                   "the form of the first one"));
       } else if (std::find(factor.levels.begin(),
                            factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
                            level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
         checked.report(pointer_to(pointer, i),
-                       in_quotes(text_of(level)) + " is listed twice; list it once");
+                       phrase("Protocols", "%1 is listed twice; list it once")
+                           .with(in_quotes(text_of(level))));
       } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
-        checked.report(pointer_to(pointer, i), "a level cannot be empty; give it a name");
+        checked.report(pointer_to(pointer, i),
+                       phrase("Protocols", "a level cannot be empty; give it a name"));
       }
     }
     check_hed(checked, factor);
@@ -273,10 +295,12 @@ void check_explorations(CheckedDocument& checked) {
     const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
       if (!force_N || is_weak_enough(*force_N)) return false;
       checked.report(pointer + "/normal_force_N/" + key,
-                     "the band reaches " + digits(*force_N) + " N, but the force limit is " +
-                         digits(checked.protocol.force_limit_N) +
-                         " N (/device/force_limit_N); lower the force or raise the limit" +
-                         meant_in_other_unit(*force_N, "N", is_weak_enough));
+                     phrase("Protocols",
+                            "the band reaches %1 N, but the force limit is %2 N "
+                            "(%3); lower the force or raise the limit%4")
+                         .with(digits(*force_N), digits(checked.protocol.force_limit_N),
+                               place_name("/device/force_limit_N"),
+                               meant_in_other_unit(*force_N, "N", is_weak_enough)));
       return true;
     };
     const Band& force = exploration.normal_force_N;
@@ -296,11 +320,13 @@ void check_explorations(CheckedDocument& checked) {
     };
     const auto too_long = [&](const std::optional<double>& length_m, const char* key) {
       if (!length_m || is_short_enough(*length_m)) return false;
-      checked.report(pointer + "/stroke_length_m/" + key,
-                     "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
-                         digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
-                         " m; shorten the stroke or enlarge the patch" +
-                         meant_in_other_unit(*length_m, "m", is_short_enough));
+      checked.report(
+          pointer + "/stroke_length_m/" + key,
+          phrase("Protocols",
+                 "a stroke of %1 m does not fit into the patch of %2 m by %3 m; shorten "
+                 "the stroke or enlarge the patch%4")
+              .with(digits(*length_m), digits(patch.extent_m.x), digits(patch.extent_m.y),
+                    meant_in_other_unit(*length_m, "m", is_short_enough)));
       return true;
     };
     const Band& length = exploration.stroke_length_m;
@@ -309,29 +335,35 @@ void check_explorations(CheckedDocument& checked) {
     if (is_long == std::array{false, false})
       check_band(checked, length, pointer + "/stroke_length_m");
     if (exploration.minimum_contact_s > exploration.maximum_contact_s) {
-      checked.report(pointer + "/minimum_contact_s",
-                     "at least " + digits(exploration.minimum_contact_s) +
-                         " s of contact are requested, but the surface is removed after " +
-                         digits(exploration.maximum_contact_s) +
-                         " s; lower minimum_contact_s or raise maximum_contact_s");
+      checked.report(
+          pointer + "/minimum_contact_s",
+          phrase("Protocols",
+                 "at least %1 s of contact are requested, but the surface is removed "
+                 "after %2 s; lower %3 or raise %4")
+              .with(digits(exploration.minimum_contact_s), digits(exploration.maximum_contact_s),
+                    key_name("minimum_contact_s"), key_name("maximum_contact_s")));
     }
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (exploration.required_fraction_in_band > 0.0 && !bounded(exploration.normal_force_N) &&
         !bounded(exploration.speed_m_per_s)) {
       checked.report(pointer + "/required_fraction_in_band",
-                     "there is no band to which the fraction could refer: give normal_force_N or "
-                     "speed_m_per_s a minimum or a maximum");
+                     phrase("Protocols",
+                            "there is no band to which the fraction could refer: give %1 or %2 a "
+                            "minimum or a maximum")
+                         .with(key_name("normal_force_N"), key_name("speed_m_per_s")));
     }
     const bool repeats = exploration.on_failure != Exploration::OnFailure::flag;
     if (repeats && exploration.maximum_repeats < 1) {
       checked.report(
           pointer + "/on_failure",
-          "trials are to be repeated, but at most 0 times: set maximum_repeats to 1 or more");
+          phrase("Protocols", "trials are to be repeated, but at most 0 times: set %1 to 1 or more")
+              .with(key_name("maximum_repeats")));
     }
     if (!repeats && exploration.maximum_repeats > 0) {
       checked.report(pointer + "/maximum_repeats",
-                     "nothing is repeated while on_failure is \"flag\"; choose \"repeat_now\" or "
-                     "\"requeue_at_end_of_block\"");
+                     phrase("Protocols", "nothing is repeated while %1 is %2; choose %3 or %4")
+                         .with(key_name("on_failure"), in_quotes("flag"), in_quotes("repeat_now"),
+                               in_quotes("requeue_at_end_of_block")));
     }
   }
 }

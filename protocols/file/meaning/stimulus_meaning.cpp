@@ -25,10 +25,12 @@ void check_assets_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
   const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
   for (const ModelDeclaration* const model : models) {
     for (const AssetDeclaration& asset : model->assets) {
-      const std::string needed = "the model " + in_quotes(model->id) + " needs the asset " +
-                                 in_quotes(asset.role) + " (" + asset.meaning + ")";
       if (!has_texture) {
-        checked.report(pointer, needed + ": give the stimulus a \"texture\" that has it");
+        checked.report(pointer, phrase("Protocols",
+                                       "the model %1 needs the asset %2 (%3): give the stimulus a "
+                                       "%4 that has it")
+                                    .with(in_quotes(model->id), in_quotes(asset.role),
+                                          asset.meaning, key_name("texture")));
       }
       for (const auto& [name, place] : texts_of(checked, stimulus.texture, pointer + "/texture")) {
         const auto texture = checked.protocol.textures.find(name);
@@ -36,8 +38,12 @@ void check_assets_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
             texture->second.assets.contains(asset.role)) {
           continue;
         }
-        checked.report(place, needed + ", which the texture " + in_quotes(name) +
-                                  " does not have: add its file under \"assets\"");
+        checked.report(place,
+                       phrase("Protocols",
+                              "the model %1 needs the asset %2 (%3), which the texture %4 does not "
+                              "have: add its file under %5")
+                           .with(in_quotes(model->id), in_quotes(asset.role), asset.meaning,
+                                 in_quotes(name), key_name("assets")));
       }
     }
   }
@@ -48,54 +54,63 @@ void check_equal_force(CheckedDocument& checked, const StimulusTemplate& stimulu
   const EqualForce& equal = *stimulus.equal_force;
   const std::string place = pointer + "/equal_force";
   if (equal.band_low_Hz >= equal.band_high_Hz) {
-    checked.report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
-                              digits(equal.band_high_Hz) +
-                              " Hz is empty; lower its lower limit or raise its upper limit");
+    checked.report(place, phrase("Protocols",
+                                 "the band from %1 Hz to %2 Hz is empty; lower its lower limit or "
+                                 "raise its upper limit")
+                              .with(digits(equal.band_low_Hz), digits(equal.band_high_Hz)));
   }
   if (equal.band_high_Hz > 0.5 * checked.protocol.rate_Hz) {
-    checked.report(place, "the band ends at " + digits(equal.band_high_Hz) +
-                              " Hz, above half the servo rate of " +
-                              digits(checked.protocol.rate_Hz) + " Hz; lower its upper limit");
+    checked.report(place, phrase("Protocols",
+                                 "the band ends at %1 Hz, above half the servo rate of %2 Hz; "
+                                 "lower its upper limit")
+                              .with(digits(equal.band_high_Hz), digits(checked.protocol.rate_Hz)));
   }
   if (equal.rms_N && *equal.rms_N > checked.protocol.force_limit_N) {
     checked.report(place + "/rms_N",
-                   digits(*equal.rms_N) + " N exceeds the force limit of " +
-                       digits(checked.protocol.force_limit_N) +
-                       " N (/device/force_limit_N); lower the force or raise the limit");
+                   phrase("Protocols",
+                          "%1 N exceeds the force limit of %2 N (%3); lower the force or raise the "
+                          "limit")
+                       .with(digits(*equal.rms_N), digits(checked.protocol.force_limit_N),
+                             place_name("/device/force_limit_N")));
   }
   if (!equal.to_model.empty() && !checked.models.contains(equal.to_model)) {
     checked.report(place + "/to_model",
                    unknown_name("force model", equal.to_model, checked.models));
   } else if (!equal.to_model.empty() && checked.models.find(equal.to_model)->second->needs_bodies) {
     checked.report(place + "/to_model",
-                   "the model " + in_quotes(equal.to_model) +
-                       " cannot be the reference of equal force: its texture force "
-                       "depends on two bodies; state \"rms_N\" instead");
+                   phrase("Protocols",
+                          "the model %1 cannot be the reference of equal force: its texture force "
+                          "depends on two bodies; state %2 instead")
+                       .with(in_quotes(equal.to_model), key_name("rms_N")));
   }
   for (const auto& [id, at] : texts_of(checked, stimulus.model, pointer + "/model")) {
     const auto model = checked.models.find(id);
     if (model == checked.models.end()) continue;
     // The reference model of equal force is compared with its default amplitude: with a different amplitude it would be
     // the only model of another strength.
+    const std::optional<std::string>& amplitude = model->second->amplitude_parameter;
     if (model->second->needs_bodies) {
-      checked.report(at,
-                     "the texture force of the model " + in_quotes(id) +
-                         ", which depends on two bodies, cannot be made equal to another; remove "
-                         "\"equal_force\", and state the strength as " +
-                         in_quotes(model->second->amplitude_parameter.value_or("parameters")));
-    } else if (!model->second->amplitude_parameter) {
+      checked.report(
+          at, phrase("Protocols",
+                     "the texture force of the model %1, which depends on two bodies, cannot be "
+                     "made equal to another; remove %2, and state the strength as %3")
+                  .with(in_quotes(id), key_name("equal_force"),
+                        amplitude ? Phrase(in_quotes(*amplitude)) : key_name("parameters")));
+    } else if (!amplitude) {
       if (id == equal.to_model) continue;
-      checked.report(at,
-                     "the model " + in_quotes(id) +
-                         " has no amplitude by which its texture force could be made equal; remove "
-                         "\"equal_force\" or use another model");
-    } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
+      checked.report(at, phrase("Protocols",
+                                "the model %1 has no amplitude by which its texture force could be "
+                                "made equal; remove %2 or use another model")
+                             .with(in_quotes(id), key_name("equal_force")));
+    } else if (stimulus.parameters.contains(*amplitude)) {
       checked.report_key(
-          pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-          id == equal.to_model
-              ? "the texture forces of the other models are made equal to that of " +
-                    in_quotes(id) + " with this parameter at its default; remove this key"
-              : "equal_force determines this parameter of " + in_quotes(id) + "; remove this key");
+          pointer_to(pointer + "/parameters", *amplitude),
+          (id == equal.to_model
+               ? phrase("Protocols",
+                        "the texture forces of the other models are made equal to that of %1 with "
+                        "this parameter at its default; remove this key")
+               : phrase("Protocols", "%2 determines this parameter of %1; remove this key"))
+              .with(in_quotes(id), key_name("equal_force")));
     }
   }
 }
@@ -120,9 +135,10 @@ std::vector<std::pair<std::string, std::string>> texts_of(CheckedDocument& check
     if (const auto* const text = std::get_if<std::string>(&factor->second.levels[i])) {
       texts.emplace_back(*text, place);
     } else {
-      checked.report(place, text_of(factor->second.levels[i]) +
-                                " is a number, but the factor is used as a name at " + pointer +
-                                "; use names as its levels");
+      checked.report(place, phrase("Protocols",
+                                   "%1 is a number, but the factor is used as a name at %2; use "
+                                   "names as its levels")
+                                .with(text_of(factor->second.levels[i]), place_name(pointer)));
     }
   }
   return texts;
@@ -135,21 +151,27 @@ void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
   for (const auto& [id, place] : texts_of(checked, stimulus.model, pointer + "/model")) {
     const auto model = checked.models.find(id);
     if (model == checked.models.end()) {
-      const std::string unknown = unknown_name("force model", id, checked.models);
+      const Phrase unknown = unknown_name("force model", id, checked.models);
       checked.report(place,
-                     unknown + (unknown.ends_with('?') ? " If" : "; if") +
-                         " it is in a plug-in, load the plug-in with --plugin FILE, or under "
-                         "Study → Plug-ins… in the windows");
+                     (unknown.english().ends_with('?')
+                          ? phrase("Protocols",
+                                   "%1 If it is in a plug-in, load the plug-in with "
+                                   "--plugin FILE, or under Study → Plug-ins… in the windows")
+                          : phrase("Protocols",
+                                   "%1; if it is in a plug-in, load the plug-in with "
+                                   "--plugin FILE, or under Study → Plug-ins… in the windows"))
+                         .with(unknown));
       continue;
     }
     models.push_back(model->second);
     const std::optional<double>& highest_Hz = model->second->maximum_rate_Hz;
     if (highest_Hz && checked.protocol.rate_Hz > *highest_Hz) {
-      checked.report(place, "a tick of the force model " + id +
-                                " takes longer than a period at the " +
-                                digits(checked.protocol.rate_Hz) +
-                                " Hz of /device/rate_Hz: set rate_Hz to at most " +
-                                digits(*highest_Hz) + ", or choose another model");
+      checked.report(place,
+                     phrase("Protocols",
+                            "a tick of the force model %1 takes longer than a period at the %2 Hz "
+                            "of %3: set it to at most %4, or choose another model")
+                         .with(id, digits(checked.protocol.rate_Hz), place_name("/device/rate_Hz"),
+                               digits(*highest_Hz)));
     }
     needs_height_field = needs_height_field || model->second->needs_height_field;
   }
@@ -160,7 +182,9 @@ void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
                                                               });
   const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
   if (needs_height_field && !has_texture) {
-    checked.report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
+    checked.report(pointer,
+                   phrase("Protocols", "the model needs a height field: give the stimulus a %1")
+                       .with(key_name("texture")));
   }
   std::vector<const ModelDeclaration*> rendered = models;
   if (stimulus.equal_force) {
@@ -182,13 +206,15 @@ void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
       if (texture->second.height_field && !is_on_a_body(checked, stimulus, name, pointer)) {
         checked.report(
             place,
-            "the height field of the texture " + in_quotes(name) +
-                " is on neither body: the surface has its own relief; put the texture on a body, "
-                "or remove its \"height_field\"");
+            phrase("Protocols",
+                   "the height field of the texture %1 is on neither body: the surface has its own "
+                   "relief; put the texture on a body, or remove its %2")
+                .with(in_quotes(name), key_name("height_field")));
       }
     } else if (!texture->second.height_field && !all_need_assets_alone) {
-      checked.report(place, "the texture " + in_quotes(name) +
-                                " cannot be felt: it has no \"height_field\"; give it one");
+      checked.report(place,
+                     phrase("Protocols", "the texture %1 cannot be felt: it has no %2; give it one")
+                         .with(in_quotes(name), key_name("height_field")));
     }
   }
   for (const auto& [name, binding] : stimulus.parameters) {
@@ -212,8 +238,9 @@ void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
       if (declared == model->parameters.end()) {
         std::map<std::string, int> names{};
         for (const Parameter& each : model->parameters) names[each.name] = 0;
-        checked.report_key(place, "the model " + in_quotes(model->id) + ": " +
-                                      unknown_name("parameter", name, names));
+        checked.report_key(place,
+                           phrase("Protocols", "the model %1: %2")
+                               .with(in_quotes(model->id), unknown_name("parameter", name, names)));
         continue;
       }
       for (const auto& [value, at] : values) {

@@ -18,35 +18,40 @@ std::vector<std::string> number_names() {
 std::string in_braces(const std::string& name) { return '{' + name + '}'; }
 
 /// Why a placeholder cannot be used as it is written; empty if it can.
-std::string problem_of_form(const Placeholder& placeholder) {
+Phrase problem_of_form(const Placeholder& placeholder) {
   if (!placeholder.is_closed) {
-    return "the brace before " + in_quotes(placeholder.name) +
-           " begins a number of the design, such as {surfaces}; add the closing brace, or write {{ "
-           "for a brace in the text";
+    return phrase("Protocols",
+                  "the brace before %1 begins a number of the design, such as {surfaces}; add the "
+                  "closing brace, or write {{ for a brace in the text")
+        .with(in_quotes(placeholder.name));
   }
   const DesignNumber* const number = find_design_number(placeholder.name);
   if (number == nullptr) {
-    return "there is no number of the design " + in_quotes(placeholder.name) +
-           did_you_mean(placeholder.name, number_names()) + "; use " + one_of(number_names()) +
-           ", or write {{ for a brace in the text";
+    return phrase("Protocols", "%1; use %2, or write {{ for a brace in the text")
+        .with(with_guess(phrase("Protocols", "there is no number of the design %1")
+                             .with(in_quotes(placeholder.name)),
+                         placeholder.name, number_names()),
+              joined_by_or(quoted(number_names())));
   }
   if (!placeholder.forms.empty() && placeholder.forms.size() != 2) {
-    return in_braces(placeholder.name) + " takes two forms, for one and for several: {" +
-           placeholder.name + "|form|forms}";
+    return phrase("Protocols", "%1 takes two forms, for one and for several: %2")
+        .with(in_braces(placeholder.name), in_braces(placeholder.name + "|form|forms"));
   }
   if (!placeholder.forms.empty() && placeholder.name == "surface_names") {
-    return "{surface_names} has no forms; write {surface_names}, or {surfaces|form|forms}";
+    return phrase("Protocols",
+                  "{surface_names} has no forms; write {surface_names}, or {surfaces|form|forms}");
   }
   return {};
 }
 
 /// What a session lacks that a placeholder states; empty if it lacks nothing.
-std::string missing_in_session(const std::string& name, const Protocol& protocol) {
+Phrase missing_in_session(const std::string& name, const Protocol& protocol) {
   if (name == "breaks") {
     return has_known_breaks(protocol)
-               ? ""
-               : "a session has no breaks, or their number depends on responses or on the time in "
-                 "contact";
+               ? Phrase()
+               : phrase("Protocols",
+                        "a session has no breaks, or their number depends on responses or on the "
+                        "time in contact");
   }
   const auto runs = [&protocol](bool of_main) {
     return std::any_of(protocol.flow.begin(), protocol.flow.end(), [&](const auto& step) {
@@ -55,8 +60,11 @@ std::string missing_in_session(const std::string& name, const Protocol& protocol
       return block != protocol.blocks.end() && (block->second.phase == Phase::main) == of_main;
     });
   };
-  if (name == "practice_trials") return runs(false) ? "" : "a session has no trials of practice";
-  return name == "minutes" || runs(true) ? "" : "a session has no main part";
+  if (name == "practice_trials") {
+    return runs(false) ? Phrase() : phrase("Protocols", "a session has no trials of practice");
+  }
+  return name == "minutes" || runs(true) ? Phrase()
+                                         : phrase("Protocols", "a session has no main part");
 }
 
 }  // namespace
@@ -65,31 +73,38 @@ void check_texts(CheckedDocument& checked) {
   for (const TextPlace& place : participant_texts(checked.document.root(), checked.protocol)) {
     for (const Placeholder& placeholder : placeholders_in(place.text)) {
       const std::string& name = placeholder.name;
-      const std::string problem = problem_of_form(placeholder);
+      const Phrase problem = problem_of_form(placeholder);
       if (!problem.empty()) {
         checked.report(place.pointer, problem);
         continue;
       }
-      if (find_design_number(name)->scope == NumberScope::session) {
+      const DesignNumber& number = *find_design_number(name);
+      if (number.scope == NumberScope::session) {
         if (place.is_of_session) {
-          const std::string missing = missing_in_session(name, checked.protocol);
+          const Phrase missing = missing_in_session(name, checked.protocol);
           if (!missing.empty())
-            checked.report(place.pointer, missing + "; remove " + in_braces(name));
+            checked.report(place.pointer,
+                           phrase("Protocols", "%1; remove %2").with(missing, in_braces(name)));
           continue;
         }
-        checked.report(place.pointer,
-                       in_braces(name) +
-                           " is known when a session begins: use it in \"consent\", in a screen or "
-                           "break of \"flow\", or in \"resume\"");
+        checked.report(
+            place.pointer,
+            phrase("Protocols",
+                   "%1 is known when a session begins: use it in %2, in a screen or "
+                   "break of %3, or in %4")
+                .with(in_braces(name), key_name("consent"), key_name("flow"), key_name("resume")));
         continue;
       }
       if (values_of_design(checked.protocol, place).contains(name)) continue;
-      checked.report(place.pointer, place.block != nullptr
-                                        ? "a trial of this block has no " + name + "; remove " +
-                                              in_braces(name) + ", or state another number"
-                                        : "the main blocks have no " + name +
-                                              ", or differ in them; write the number, or use " +
-                                              in_braces(name) + " in a text of the block");
+      checked.report(place.pointer,
+                     (place.block != nullptr
+                          ? phrase("Protocols",
+                                   "a trial of this block has no %1; remove %2, or state another "
+                                   "number")
+                          : phrase("Protocols",
+                                   "the main blocks have no %1, or differ in them; write the "
+                                   "number, or use %2 in a text of the block"))
+                         .with(noun_of(number), in_braces(name)));
     }
   }
 }

@@ -30,12 +30,16 @@ void check_expectation(CheckedDocument& checked, const Trial& trial,
     if (checked.protocol.observer.expectation == Expectation::true_surface &&
         !texture.true_height_field && !on_bodies.contains(name)) {
       checked.report(pointer_to("/textures", name),
-                     "the observer expects the true surface of this texture: give it a "
-                     "\"true_height_field\", or a stimulus that shows it on bodies");
+                     phrase("Protocols",
+                            "the observer expects the true surface of this texture: give it a %1, "
+                            "or a stimulus that shows it on bodies")
+                         .with(key_name("true_height_field")));
     }
     if (checked.protocol.observer.expectation == Expectation::prior && !texture.prior) {
-      checked.report(pointer_to("/textures", name),
-                     "the observer expects the stated prior of this texture: give it a \"prior\"");
+      checked.report(
+          pointer_to("/textures", name),
+          phrase("Protocols", "the observer expects the stated prior of this texture: give it a %1")
+              .with(key_name("prior")));
     }
   }
 }
@@ -52,8 +56,10 @@ void check_draws(CheckedDocument& checked) {
     }
     if (combinations > kMaximumSessionTrials) {
       checked.report(pointer_to("/blocks", name) + "/drawn",
-                     "more than " + std::to_string(kMaximumSessionTrials) +
-                         " different trials could be drawn; draw fewer factors or levels");
+                     phrase("Protocols",
+                            "more than %1 different trials could be drawn; draw fewer factors or "
+                            "levels")
+                         .with(std::to_string(kMaximumSessionTrials)));
     }
   }
 }
@@ -84,10 +90,15 @@ void check_trials(CheckedDocument& checked) {
       if (planned.item.empty()) {
         checked.report(
             presented,
-            "a surface without a texture needs an \"item\" as its name in the responses");
+            phrase("Protocols",
+                   "a surface without a texture needs an %1 as its name in the responses")
+                .with(key_name("item")));
       } else if (!items.insert(planned.item).second && !may_be_identical) {
-        checked.report(presented, "two surfaces of a trial count as " + in_quotes(planned.item) +
-                                      " in the responses; give each its own \"item\"");
+        checked.report(presented,
+                       phrase("Protocols",
+                              "two surfaces of a trial count as %1 in the responses; give each its "
+                              "own %2")
+                           .with(in_quotes(planned.item), key_name("item")));
       }
       if (const auto model = checked.models.find(planned.stimulus.model);
           model != checked.models.end()) {
@@ -106,12 +117,14 @@ void check_trials(CheckedDocument& checked) {
       const std::string at_question = place_of_question(block, i);
       if (block.questions[i].options.empty()) {
         checked.report(at_question + "/pictures",
-                       "the correct response " + in_quotes(*missing.begin()) +
-                           " is not among the pictures; add its picture");
+                       phrase("Protocols",
+                              "the correct response %1 is not among the pictures; add its picture")
+                           .with(in_quotes(*missing.begin())));
       } else {
-        checked.report(at_question + "/options", "the correct response " +
-                                                     in_quotes(*missing.begin()) +
-                                                     " is not among the options; add it");
+        checked.report(
+            at_question + "/options",
+            phrase("Protocols", "the correct response %1 is not among the options; add it")
+                .with(in_quotes(*missing.begin())));
       }
     }
     for (std::size_t i = 0; kind.check_trial != nullptr && i < block.questions.size(); ++i) {

@@ -279,54 +279,74 @@ std::vector<Parameter> parameters() {
   return {
       choice_parameter(
           "coupling", {"virtual", "none"},
-          "virtual: springs connect the hand to a simulated tool; none: the tool is at the "
-          "position of the device"),
+          phrase("Models",
+                 "virtual: springs connect the hand to a simulated tool; none: the tool is at the "
+                 "position of the device")),
       choice_parameter(
           "maximum", {"hard", "smooth"},
-          "hard: the largest depth and central differences, as in the source; smooth: a "
-          "soft maximum and its exact gradient, which give a different force"),
+          phrase("Models",
+                 "hard: the largest depth and central differences, as in the source; smooth: a "
+                 "soft maximum and its exact gradient, which give a different force")),
       number_parameter(
           "step_m", "m", 1e-6, 5e-3, 1e-4,
-          "Hard maximum only: displacement of the tool for a finite difference; 1, 2, 4 or "
-          "8 cells, and at most an eighth of the shortest wavelength"),
+          phrase("Models",
+                 "Hard maximum only: displacement of the tool for a finite difference; 1, 2, 4 or "
+                 "8 cells, and at most an eighth of the shortest wavelength")),
       number_parameter(
           "tau_m", "m", 1e-6, 1e-3, 2e-5,
-          "Smooth maximum only: heights within a few tau of the highest contribute together"),
-      number_parameter("cell_m", "m", 1e-6, 5e-3, 1e-4, "Spacing of the samples of a contact"),
+          phrase(
+              "Models",
+              "Smooth maximum only: heights within a few tau of the highest contribute together")),
+      number_parameter("cell_m", "m", 1e-6, 5e-3, 1e-4,
+                       phrase("Models", "Spacing of the samples of a contact")),
       integer_parameter(
           "most_samples", 32, 512, 256.0,
-          "Maximum number of samples across a contact; a wider contact has larger cells"),
-      integer_parameter("most_halvings", 0, 3, 2.0,
-                        "Hard maximum only: how often the cells of a contact on many crests may be "
-                        "halved, up to 8 cells in a step; 0: never"),
+          phrase("Models",
+                 "Maximum number of samples across a contact; a wider contact has larger cells")),
+      integer_parameter(
+          "most_halvings", 0, 3, 2.0,
+          phrase("Models",
+                 "Hard maximum only: how often the cells of a contact on many crests may be "
+                 "halved, up to 8 cells in a step; 0: never")),
       number_parameter("texture_gain", "1", 0.0, 10.0, 1.0,
-                       "Factor applied to the displacements of the surface"),
+                       phrase("Models", "Factor applied to the displacements of the surface")),
       number_parameter("tool_texture_gain", "1", 0.0, 10.0, 1.0,
-                       "Factor applied to the displacements of the tool"),
+                       phrase("Models", "Factor applied to the displacements of the tool")),
       number_parameter(
           "contact_damping_N_s_per_m", "N s/m", 0.0, 100.0, 0.0,
-          "Damping of a contact along its gradient; without a coupling, this damping plus half "
-          "the stiffness times the period must be less than the device's damping"),
+          phrase(
+              "Models",
+              "Damping of a contact along its gradient; without a coupling, this damping plus half "
+              "the stiffness times the period must be less than the device's damping")),
       number_parameter(
           "coupling_stiffness_N_per_m", "N/m", 10.0, 1e5, 1000.0,
-          "Virtual coupling only: stiffness between hand and tool; half of it times the period, "
-          "plus the coupling's damping, must be less than the device's damping"),
-      number_parameter("coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
-                       "Virtual coupling only: damping between hand and tool; for its limit see "
-                       "coupling_stiffness_N_per_m"),
+          phrase("Models",
+                 "Virtual coupling only: stiffness between hand and tool; half of it times the "
+                 "period, "
+                 "plus the coupling's damping, must be less than the device's damping")),
+      number_parameter(
+          "coupling_damping_N_s_per_m", "N s/m", 0.0, 100.0, 1.0,
+          phrase("Models",
+                 "Virtual coupling only: damping between hand and tool; for its limit see "
+                 "coupling_stiffness_N_per_m")),
       number_parameter(
           "coupling_angular_stiffness_N_m_per_rad", "N m/rad", 1e-3, 100.0, 0.3,
-          "Virtual coupling only: angular stiffness between hand and tool, which aligns the "
-          "tool with the hand"),
-      number_parameter("coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
-                       "Virtual coupling only: angular damping between hand and tool"),
+          phrase("Models",
+                 "Virtual coupling only: angular stiffness between hand and tool, which aligns the "
+                 "tool with the hand")),
       number_parameter(
-          "tool_mass_kg", "kg", 1e-4, 1.0, 0.002,
-          "Virtual coupling only: mass of the simulated tool, which is added to the mass of the "
-          "device"),
+          "coupling_angular_damping_N_m_s_per_rad", "N m s/rad", 0.0, 1.0, 5e-4,
+          phrase("Models", "Virtual coupling only: angular damping between hand and tool")),
+      number_parameter("tool_mass_kg", "kg", 1e-4, 1.0, 0.002,
+                       phrase("Models",
+                              "Virtual coupling only: mass of the simulated tool, which is added "
+                              "to the mass of the "
+                              "device")),
       number_parameter(
           "tool_inertia_kg_m2", "kg m2", 1e-8, 1e-2, 1e-6,
-          "Virtual coupling only: moment of inertia of the simulated tool about every axis"),
+          phrase(
+              "Models",
+              "Virtual coupling only: moment of inertia of the simulated tool about every axis")),
       friction_speed_parameter()};
 }
 
@@ -341,7 +361,9 @@ ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute) {
   ModelDeclaration declaration{
       .id = "pd_gradient",
       .version = "6",
-      .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
+      .summary = phrase(
+          "Models",
+          "Two textured meshes in six degrees of freedom: the gradient of penetration depth"),
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "
           "IEEE Visualization 2004",

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/words/phrased_error.h"
 
 namespace asperity {
 namespace {
@@ -33,16 +34,6 @@ std::optional<int> cells_per_step(const WindowSampling& sampling) {
   return std::nullopt;
 }
 
-/// The possible steps as text: "0.0001, 0.0002, 0.0004 or 0.0008".
-std::string whole_steps_m(double cell_m) {
-  std::string list = number_text(cell_m);
-  for (std::size_t i = 1; i < kStepsInCells.size(); ++i) {
-    list +=
-        (i + 1 == kStepsInCells.size() ? " or " : ", ") + number_text(kStepsInCells[i] * cell_m);
-  }
-  return list;
-}
-
 }  // namespace
 
 std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
@@ -53,25 +44,32 @@ std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
   require_sound(sampling.law);
   const std::optional<int> cells = cells_per_step(sampling);
   if (!cells) {
-    return ParameterConflict{.parameters = {"step_m", "cell_m"},
-                             .message = "step_m is " +
-                                        number_text(std::get<HardMaximum>(sampling.law).step_m) +
-                                        " and cell_m " + number_text(sampling.cell_m) +
-                                        "; step_m must be 1, 2, 4 or 8 times cell_m, here " +
-                                        whole_steps_m(sampling.cell_m) + "."};
+    const auto steps_m = [&sampling](std::size_t i) {
+      return number_text(kStepsInCells[i] * sampling.cell_m);
+    };
+    return ParameterConflict{
+        .parameters = {"step_m", "cell_m"},
+        .message = phrase("Protocols",
+                          "step_m is %1 and cell_m %2; step_m must be 1, 2, 4 or 8 times cell_m, "
+                          "here %2, %3, %4 or %5.")
+                       .with(number_text(std::get<HardMaximum>(sampling.law).step_m), steps_m(0),
+                             steps_m(1), steps_m(2), steps_m(3))};
   }
   const int least = kSamplesPerStep * *cells;
   if (sampling.most_samples >= least) return std::nullopt;
+  const Phrase sentence =
+      *cells == 1 ? phrase("Protocols",
+                           "most_samples is %1; with a step of %2 cell it must be at least %3.")
+                  : phrase("Protocols",
+                           "most_samples is %1; with a step of %2 cells it must be at least %3.");
   return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
-                           .message = "most_samples is " + std::to_string(sampling.most_samples) +
-                                      "; with a step of " +
-                                      counted(static_cast<std::size_t>(*cells), "cell", "cells") +
-                                      " it must be at least " + std::to_string(least) + "."};
+                           .message = sentence.with(std::to_string(sampling.most_samples),
+                                                    std::to_string(*cells), std::to_string(least))};
 }
 
 WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
                                std::size_t most_triangles, InstructionSet instructions) {
-  if (const auto conflict = conflict_in(sampling)) throw std::invalid_argument(conflict->message);
+  if (const auto conflict = conflict_in(sampling)) throw PhrasedRefusal(conflict->message);
   const int declared = cells_per_step(sampling).value();
   const bool keeps = sampling.heights == Heights::kept;
   double cell_m = sampling.cell_m;

@@ -75,7 +75,7 @@ TEST_F(Examiner, FindsWhatCheckFinds) {
   ASSERT_FALSE(expected.warnings.empty());
   ASSERT_EQ(found->warnings.size(), expected.warnings.size());
   for (std::size_t i = 0; i < expected.warnings.size(); ++i) {
-    EXPECT_EQ(found->warnings[i].message, expected.warnings[i].message);
+    EXPECT_EQ(found->warnings[i].message.english(), expected.warnings[i].message.english());
     EXPECT_EQ(found->warnings[i].line, expected.warnings[i].line);
   }
 }
@@ -210,7 +210,7 @@ TEST_F(Examiner, StatesWhyStimuliCouldNotBeExaminedAndTriesAgain) {
   request(list_, {protocol("1.0.0")});
   ASSERT_TRUE(arrive(1));
   ASSERT_EQ(results_[0]->warnings.size(), 1U);
-  EXPECT_EQ(results_[0]->warnings[0].message,
+  EXPECT_EQ(results_[0]->warnings[0].message.english(),
             "the stimuli could not be examined: no memory for the relief");
   request(list_, {protocol("1.0.0")});
   ASSERT_TRUE(arrive(2));

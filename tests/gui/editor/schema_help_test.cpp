@@ -41,7 +41,7 @@ TEST_F(SchemaHelpTest, SaysWhatAForceModelDeclaresOfAParameter) {
   const Parameter& parameter = model.parameters.front();
   const KeyHelp help =
       of({"stimuli", "rendered", "parameters", QString::fromStdString(parameter.name)});
-  EXPECT_EQ(help.meaning.toStdString(), parameter.meaning);
+  EXPECT_EQ(help.meaning.toStdString(), parameter.meaning.english());
   EXPECT_TRUE(help.form.contains(QString::fromStdString(model.id)));
 }
 

@@ -7,13 +7,17 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QLayout>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/look/theme.h"
 #include "app/gui/look/fitted_label.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/session/session_dialogs.h"
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"
@@ -45,6 +49,22 @@ TEST(SessionWindow, HasRoomForPlanPlotsAndPhrasesOnASmallScreen) {
       if (!phrase->isVisible()) continue;
       EXPECT_LE(phrase->mapTo(window.get(), QPoint(0, phrase->height())).y(), top) << at;
     }
+  }
+}
+
+// The screen of the tests has 800 points, of which Qt gives a dialog two thirds.
+TEST(SessionDialogs, HaveRoomForTheirGermanWordsOnASmallScreen) {
+  apply_language("de");
+  AbortDialog aborting(nullptr, [](const Phrase&) {});
+  CloseDialog closing(nullptr, [](Leaving) {});
+  apply_language("en");
+  for (QDialog* const dialog :
+       {static_cast<QDialog*>(&aborting), static_cast<QDialog*>(&closing)}) {
+    dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog->show();
+    EXPECT_TRUE(eventually([&] { return clipped_in(*dialog).isEmpty(); }))
+        << clipped_in(*dialog).join("\n").toStdString();
+    EXPECT_GE(dialog->height(), dialog->layout()->totalHeightForWidth(dialog->width()));
   }
 }
 

@@ -61,8 +61,8 @@ TEST(ParameterForm, HasAControlWithMeaningForEveryParameterOfEveryModel) {
     for (const Parameter& parameter : model.declaration.parameters) {
       const auto* control = form.findChild<QWidget*>(QString::fromStdString(parameter.name));
       ASSERT_NE(control, nullptr) << parameter.name;
-      EXPECT_TRUE(
-          control->toolTip().contains(QString::fromStdString(parameter.meaning).toHtmlEscaped()))
+      EXPECT_TRUE(control->toolTip().contains(
+          QString::fromStdString(parameter.meaning.english()).toHtmlEscaped()))
           << parameter.name;
     }
   }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -31,8 +31,8 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/words/phrased_error.h"
 #include "protocols/file/diagnostic.h"
-#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -242,7 +242,7 @@ void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step
     emit edit_refused(remark_in_form(protocol, error.diagnostics().front()));
     return;
   } catch (const std::exception& error) {
-    emit edit_refused(text(message_of(error)));
+    emit edit_refused(words_of(phrase_of(error)));
     return;
   }
   emit edit_made(edited.text, step);
@@ -260,7 +260,7 @@ void ProtocolForm::show_text(const std::string& written) {
       show_unreadable(tr("the text is not an object {…}"));
     }
   } catch (const std::exception& error) {
-    show_unreadable(text(message_of(error)));
+    show_unreadable(words_of(phrase_of(error)));
   }
   if (content_ == nullptr) {
     make_page();

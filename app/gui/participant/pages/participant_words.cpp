@@ -3,6 +3,7 @@
 #include "app/gui/participant/pages/participant_words.h"
 
 #include "app/gui/look/words.h"
+#include "app/words/phrased_error.h"
 
 namespace asperity {
 

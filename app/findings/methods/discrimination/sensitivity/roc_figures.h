@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

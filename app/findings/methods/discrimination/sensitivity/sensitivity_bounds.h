@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "analysis/numbers/finding.h"
+#include "analysis/words/phrase.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

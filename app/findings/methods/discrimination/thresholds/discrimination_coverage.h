@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -10,11 +10,11 @@
 #include "analysis/numbers/proportion.h"
 #include "analysis/psychometric/psychometric_model.h"
 #include "analysis/psychometric/unforced_bootstrap.h"
+#include "analysis/words/phrase.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "analysis/numbers/finding.h"
+#include "analysis/words/phrase.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -4,11 +4,11 @@
 
 #include <array>
 
+#include "analysis/words/phrase.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/tidy/quantity_name.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analysis/numbers/finding.h"
+#include "analysis/words/phrase.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/tidy/quantity_name.h"
-#include "app/words/phrase.h"
 
 namespace asperity {
 

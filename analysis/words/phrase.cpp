@@ -1,12 +1,10 @@
 // Replaces the placeholders %1 … by translated arguments, and capitalises a sentence unless a name begins it.
 
-#include "app/words/phrase.h"
+#include "analysis/words/phrase.h"
 
 #include <cstddef>
 #include <optional>
 #include <utility>
-
-#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -83,11 +81,6 @@ std::string Phrase::translated(const LookUp& look_up) const {
     if (text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
   }
   return text;
-}
-
-Phrase phrase_of(const std::exception& error) {
-  if (const auto* phrased = dynamic_cast<const PhrasedError*>(&error)) return phrased->said();
-  return message_of(error);
 }
 
 }  // namespace asperity

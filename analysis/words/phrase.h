@@ -3,9 +3,7 @@
 #pragma once
 
 #include <concepts>
-#include <exception>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +15,8 @@ namespace asperity {
 /// The terminal receives `english()`; a window translates the words before the placeholders are
 /// filled (app/gui/look/words.h), including those of every argument. The words are in the source
 /// once, in `phrase("Context", "Words")`, from which scripts/translations extracts them: both have
-/// to be literals there, with nothing after the second.
+/// to be literals there, with nothing after the second. A context can also state what its words are
+/// (a key, a number in the unit of a file), which a window then shows in its own way.
 class Phrase final {
  public:
   Phrase() = default;
@@ -70,17 +69,5 @@ class Phrase final {
 
 /// Words that are translated. `context` groups them for translators.
 inline Phrase phrase(const char* context, const char* words) { return {context, words}; }
-
-/// An error that can be shown in another language; `what()` is the English.
-class PhrasedError : public std::runtime_error {
- public:
-  explicit PhrasedError(const Phrase& said) : std::runtime_error(said.english()), said_(said) {}
-  const Phrase& said() const noexcept { return said_; }
-
- private:
-  Phrase said_;
-};
-/// The phrase of a PhrasedError; the message of any other error.
-Phrase phrase_of(const std::exception& error);
 
 }  // namespace asperity

@@ -1,0 +1,71 @@
+// How the form words problems: labels for keys, its own units, and the language of the windows.
+
+#include "app/gui/base/form_words.h"
+
+#include <string>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/base/settings.h"
+#include "protocols/file/diagnostic.h"
+#include "protocols/file/protocol_problems.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
+#include "tests/gui/editor/library_text.h"
+#include "tests/support/replaced.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+class WordsOfForm : public testing::Test {
+ protected:
+  ~WordsOfForm() override { apply_language("en"); }
+
+  /// The problem at the place of a text, as the form words it.
+  static std::string problem_at(const std::string& text, std::string_view pointer) {
+    const ProtocolReading reading =
+        read_protocol_with_problems(text, "p.json", declarations_of(built_in_models()));
+    for (const Diagnostic& problem : reading.problems) {
+      if (problem.pointer != pointer) continue;
+      return sentence_in_form(nlohmann::json::parse(text), problem).toStdString();
+    }
+    ADD_FAILURE() << "no problem at " << pointer;
+    return {};
+  }
+  static std::string jnd_with(const std::string& from, const std::string& to) {
+    return replaced(library_text("amplitude_jnd"), from, to);
+  }
+};
+
+TEST_F(WordsOfForm, ShowNumbersInTheUnitOfTheForm) {
+  const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": -2.5");
+  EXPECT_THAT(problem_at(text, "/surface/edge_width_m"),
+              testing::StartsWith("-2500 mm is too small: it must be at least 0 mm. Expected"));
+  apply_language("de");
+  EXPECT_THAT(problem_at(text, "/surface/edge_width_m"),
+              testing::StartsWith("-2500 mm ist zu klein: Der Wert muss mindestens 0 mm sein. "));
+}
+
+TEST_F(WordsOfForm, LeaveOutTheUnitsOfTheFile) {
+  const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": 5");
+  const std::string sentence = problem_at(text, "/surface/edge_width_m");
+  EXPECT_THAT(sentence, HasSubstr("5000 mm is too large"));
+  EXPECT_THAT(sentence, testing::Not(HasSubstr("metres")));
+}
+
+TEST_F(WordsOfForm, NameKeysByTheirLabelsInGerman) {
+  apply_language("de");
+  const std::string text = jnd_with("\"edge_width_m\"", "\"edge_with_m\"");
+  EXPECT_THAT(problem_at(text, "/surface/edge_with_m"),
+              HasSubstr("es gibt hier keine Einstellung \"edge_with_m\"; gemeint ist vielleicht "));
+  const std::string without = jnd_with("\"model\": \"sinusoid\", ", "");
+  EXPECT_THAT(problem_at(without, "/stimuli/grating/model"),
+              HasSubstr("die Einstellung „Kraftmodell“ fehlt"));
+}
+
+}  // namespace
+}  // namespace asperity
