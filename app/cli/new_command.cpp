@@ -23,7 +23,10 @@ void add_new(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("new", "Create a study.");
-  command->add_option("DIR", options->folder, "Folder of the study; must be new or empty (hidden files are ignored)")
+  command
+      ->add_option("DIR", options->folder,
+                   "Folder of the study; must be new or empty (desktop files such as .DS_Store are "
+                   "ignored)")
       ->required();
   command->add_flag("--demo", options->demo, "Create the demo study, with textures and protocols");
   CLI::Option* const shared = command->add_flag(

@@ -3,6 +3,9 @@
 #include "results_schema/files/folder_entries.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 #include "results_schema/files/file_system.h"
@@ -11,6 +14,21 @@ namespace asperity {
 namespace {
 
 using std::filesystem::directory_entry;
+
+constexpr std::array<std::string_view, 3> kFilesOfDesktops{".DS_Store", ".directory", ".localized"};
+constexpr std::string_view kAttributesOfFile = "._";  // before the name of the file
+
+/// Calls `goes_on` with each entry in the order of the disk, until it returns false.
+template <class Visitor>
+void visit_entries(const std::filesystem::path& folder, const Visitor& goes_on) {
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder, error);
+  if (error == std::errc::no_such_file_or_directory) return;
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+    if (!goes_on(*at)) return;
+  }
+  if (error) fail_on_file(folder, "read", error.value());
+}
 
 void add_entries_below(const std::filesystem::path& folder, std::vector<directory_entry>& all) {
   for (directory_entry& entry : entries_in(folder)) {
@@ -24,25 +42,33 @@ void add_entries_below(const std::filesystem::path& folder, std::vector<director
 
 }  // namespace
 
-bool is_hidden(const directory_entry& entry) {
-  return entry.path().filename().string().starts_with('.');
+bool is_of_desktop(const directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  if (!name.starts_with(kAttributesOfFile) &&
+      std::ranges::find(kFilesOfDesktops, name) == kFilesOfDesktops.end()) {
+    return false;
+  }
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(entry.symlink_status(unknown));
 }
 
 std::vector<directory_entry> entries_in(const std::filesystem::path& folder) {
-  std::error_code error;
   std::vector<directory_entry> entries;
-  std::filesystem::directory_iterator at(folder, error);
-  if (error == std::errc::no_such_file_or_directory) return entries;
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    entries.push_back(*at);
-  }
-  if (error) fail_on_file(folder, "read", error.value());
+  visit_entries(folder, [&entries](const directory_entry& entry) {
+    entries.push_back(entry);
+    return true;
+  });
   std::sort(entries.begin(), entries.end());
   return entries;
 }
 
 bool is_free(const std::filesystem::path& folder) {
-  return std::ranges::all_of(entries_in(folder), is_hidden);
+  bool has_content = false;
+  visit_entries(folder, [&has_content](const directory_entry& entry) {
+    has_content = !is_of_desktop(entry);
+    return !has_content;
+  });
+  return !has_content;
 }
 
 std::vector<directory_entry> entries_below(const std::filesystem::path& folder) {

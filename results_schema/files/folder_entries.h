@@ -11,10 +11,11 @@ namespace asperity {
 /// Errors: ResultsError naming the folder that cannot be read.
 std::vector<std::filesystem::directory_entry> entries_in(const std::filesystem::path& folder);
 
-/// Whether a file or folder is hidden: its name begins with a point.
-bool is_hidden(const std::filesystem::directory_entry& entry);
+/// Whether a file is one that desktops write into every folder that they display, such as .DS_Store. Other hidden files are
+/// content: a study shares and copies what is in its folder.
+bool is_of_desktop(const std::filesystem::directory_entry& entry);
 
-/// Whether nothing is in a folder but hidden entries, such as a desktop's .DS_Store: it can become a study.
+/// Whether nothing is in a folder but files of desktops: it can become a study. Reads no further than to the first other entry.
 /// Errors: those of `entries_in`.
 bool is_free(const std::filesystem::path& folder);
 

@@ -39,7 +39,7 @@ TEST(New, PrintsTheStudyAndThatItIsFinishedWithThisVersion) {
   EXPECT_TRUE(contents_of(study) == files);
 }
 
-TEST(New, TakesAnEmptyFolderWithHiddenFilesAndNoOther) {
+TEST(New, TakesAnEmptyFolderWithFilesOfADesktopAndNoOther) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "mine");
   std::ofstream(folder / "mine/.DS_Store") << "of a desktop";

@@ -43,6 +43,23 @@ TEST(FolderEntries, AreInTheOrderOfTheirNamesAndDoNotFollowLinks) {
   EXPECT_THAT(entries_below(folder / "none"), IsEmpty());
 }
 
+// What else is hidden is content: sharing and copying take it along.
+TEST(FolderEntries, OnlyFilesOfDesktopsLeaveAFolderFree) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(is_free(folder / "none"));
+  for (const char* const name : {".DS_Store", ".directory", ".localized", "._letter.txt"}) {
+    std::ofstream(folder / name) << "of a desktop";
+  }
+  EXPECT_TRUE(is_free(folder.path()));
+  for (const char* const name : {".git", ".cache", "._folder"}) {
+    std::filesystem::create_directory(folder / name);
+    EXPECT_FALSE(is_free(folder.path())) << name;
+    std::filesystem::remove(folder / name);
+  }
+  std::ofstream(folder / ".bashrc") << "of a shell";
+  EXPECT_FALSE(is_free(folder.path()));
+}
+
 // The iterators of the standard library name no folder when they can open no further one.
 TEST(FolderEntries, NameTheFolderThatCannotBeRead) {
   const TemporaryFolder folder;

@@ -41,6 +41,13 @@ TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
               HasSubstr("is not empty"));
   EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder / "letter.txt", "x"); }),
               HasSubstr("it is a file"));
+  for (const char* const hidden : {"repository/.git", "home/.cache"}) {
+    std::filesystem::create_directories(folder / hidden);
+    const std::filesystem::path parent = (folder / hidden).parent_path();
+    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(parent, "x"); }),
+                HasSubstr("is not empty"));
+    EXPECT_FALSE(Study::exists(parent));
+  }
   EXPECT_FALSE(Study::exists(folder.path()));
   EXPECT_THROW(Study::create(folder / "nameless", ""), std::invalid_argument);
   EXPECT_FALSE(std::filesystem::exists(folder / "nameless"));
