@@ -352,6 +352,11 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
                            ": it is not empty; name a new or an empty folder",
                        folder, EEXIST);
   }
+  // Of several programs that find the folder empty, one makes the file; after an error the others remove nothing.
+  const std::filesystem::path file = database_in(folder);
+  const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (made < 0) fail_on_file(file, "made", errno);
+  ::close(made);
   try {
     fill_new_study(folder, name, migrations);
     return open(folder, Access::read_write, migrations);

@@ -75,12 +75,12 @@ bool is_of_store(const std::filesystem::path& path) {
   return path.filename().string().starts_with("study.sqlite");
 }
 
-/// Whether the folders of a study are empty but for locks, and nothing else but hidden files is next to its store.
+/// Whether the folders of a study are empty but for locks, and nothing else but files of desktops is next to its store.
 bool holds_no_files(const std::filesystem::path& folder) {
   for (const auto& entry : entries_in(folder)) {
     const bool is_known = is_of_store(entry.path()) || entry.path().filename() == "locks";
     const bool is_empty = entry.is_directory() && std::filesystem::is_empty(entry.path());
-    if (!is_known && !is_empty && !is_hidden(entry)) return false;
+    if (!is_known && !is_empty && !is_of_desktop(entry)) return false;
   }
   return true;
 }
@@ -104,9 +104,11 @@ void remove_study(const std::filesystem::path& folder) noexcept {
 void make_study(const std::filesystem::path& folder, const NewStudySettings& settings,
                 const FillFolder& fill) {
   const std::string name = name_of(folder);
+  bool is_made = false;  // until then, what is in the folder is another program's
   const auto make_in = [&](const std::filesystem::path& content) {
     {
       Study study = Study::create(content, name);
+      is_made = true;
       if (settings.metadata != StudyMetadata{}) study.set_metadata(settings.metadata);
     }
     fill(content);
@@ -116,11 +118,10 @@ void make_study(const std::filesystem::path& folder, const NewStudySettings& set
     make_folder_at_once(folder, kOwnersFolder, make_in);
     return;
   }
-  const bool was_free = may_become_study(folder);
   try {
     make_in(folder);
   } catch (...) {
-    if (was_free) remove_study(folder);
+    if (is_made) remove_study(folder);
     throw;
   }
 }

@@ -18,7 +18,7 @@ struct NewStudySettings {
   std::optional<std::string> group{};
 };
 
-/// Whether an existing folder can become a study: one that contains nothing but hidden files. False for one that cannot be read.
+/// Whether an existing folder can become a study (`is_free`). False for one that cannot be read.
 bool may_become_study(const std::filesystem::path& folder);
 
 enum class NewStudy {
