@@ -11,7 +11,7 @@
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/dialog_buttons.h"
-#include "app/tasks/new_study.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -81,7 +81,7 @@ std::filesystem::path NewStudyDialog::folder() const {
   return path_of_text(place_->text().trimmed()) / name_->text().trimmed().toStdString();
 }
 
-QString NewStudyDialog::complaint() const {
+QString NewStudyDialog::complaint(std::filesystem::file_status in_place) const {
   const QString name = name_->text().trimmed();
   if (name.isEmpty()) return tr("Enter a name for the study.");
   if (name.contains('/') || name == "." || name == "..") {
@@ -90,33 +90,35 @@ QString NewStudyDialog::complaint() const {
   if (!path_of_text(place_->text().trimmed()).is_absolute()) {
     return tr("Enter the full path of the folder, beginning with “/” or “~”.");
   }
+  if (!std::filesystem::exists(in_place)) return {};
   if (Study::exists(folder())) {
     return tr("%1 is already a study. Open it, or choose another name.")
         .arg(text_of_path(folder()));
   }
-  if (exists() && !may_become_study(folder())) {
-    return tr("%1 already exists and is not an empty folder. Choose another name or another parent "
-              "folder, or move the other files out of that folder.")
+  try {
+    if (std::filesystem::is_directory(in_place) && is_free(folder())) return {};
+  } catch (const ResultsError&) {
+    return tr("%1 already exists and cannot be read, so that it is unknown whether it is empty. "
+              "Choose another name or another parent folder.")
         .arg(text_of_path(folder()));
   }
-  return {};
-}
-
-bool NewStudyDialog::exists() const {
-  std::error_code ignored{};
-  return std::filesystem::exists(folder(), ignored);
+  return tr("%1 already exists and is not an empty folder. Choose another name or another parent "
+            "folder, or move the other files out of that folder.")
+      .arg(text_of_path(folder()));
 }
 
 void NewStudyDialog::show_what_follows() {
-  const QString wrong = complaint();
+  std::error_code ignored{};
+  const std::filesystem::file_status in_place = std::filesystem::status(folder(), ignored);
+  const bool exists = std::filesystem::exists(in_place);
+  const QString wrong = complaint(in_place);
   const bool is_possible = wrong.isEmpty();
   create_->setEnabled(is_possible);
-  create_->setText(is_possible && exists() ? tr("Create here") : tr("Create study"));
+  create_->setText(is_possible && exists ? tr("Create here") : tr("Create study"));
   what_follows_->setText(
       !is_possible ? wrong
-      : exists()
-          ? tr("%1 is an empty folder. It will become the study.").arg(text_of_path(folder()))
-          : tr("The study will be created in %1.").arg(text_of_path(folder())));
+      : exists ? tr("%1 is an empty folder. It will become the study.").arg(text_of_path(folder()))
+               : tr("The study will be created in %1.").arg(text_of_path(folder())));
 }
 
 }  // namespace asperity

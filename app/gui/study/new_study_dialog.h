@@ -25,10 +25,8 @@ class NewStudyDialog final : public QDialog {
 
  private:
   std::filesystem::path folder() const;
-  /// Whether the folder is there already.
-  bool exists() const;
-  /// Why the study cannot be made; empty when it can.
-  QString complaint() const;
+  /// Why the study cannot be made, with what is in its place; empty when it can.
+  QString complaint(std::filesystem::file_status in_place) const;
   void show_what_follows();
 
   QLineEdit* name_ = nullptr;

@@ -2,8 +2,10 @@
 
 #include "app/gui/window/study_window.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <QtCore/QDateTime>
@@ -228,15 +230,10 @@ void StudyWindow::set_count(const QString& key, const QString& count) {
   navigation_->set_count(key, count);
 }
 
-bool StudyWindow::open_study(const std::filesystem::path& folder,
+bool StudyWindow::open_study(const std::filesystem::path& place,
                              const std::function<void()>& opened) {
-  if (may_become_study(folder)) {
-    banner_->show_news(State::look,
-                       tr("%1 is an empty folder and not yet a study. It can become one.")
-                           .arg(text_of_path(folder)),
-                       tr("Create here"), [this, folder] { make_new_study(folder, {}); });
-    return false;
-  }
+  std::error_code unknown{};  // of a removed current folder; an empty path is no study
+  const std::filesystem::path folder = std::filesystem::absolute(place, unknown).lexically_normal();
   if (must_stay([this, folder, opened] { open_study(folder, opened); })) return false;
   const auto is_open = std::make_shared<bool>(false);
   with_plugins(
@@ -254,8 +251,7 @@ bool StudyWindow::show_study(const std::filesystem::path& folder, const LoadedMo
   std::unique_ptr<OpenStudy> opened{};
   QString name{};
   try {
-    opened =
-        std::make_unique<OpenStudy>(std::filesystem::absolute(folder).lexically_normal(), models);
+    opened = std::make_unique<OpenStudy>(folder, models);
     name = QString::fromStdString(opened->study().name());
   } catch (const std::exception& error) {
     banner_->show_news(State::stop,
@@ -509,6 +505,7 @@ void StudyWindow::share_with(const QString& group) {
 
 void StudyWindow::make_new_study(const std::filesystem::path& folder,
                                  const StudyMetadata& metadata) {
+  if (make_task_.is_running()) return;
   make_task_.run<bool>(
       [folder, metadata](const std::stop_token&, const BackgroundTask::Progress&) {
         std::filesystem::create_directories(folder.parent_path());
@@ -531,8 +528,22 @@ void StudyWindow::ask_for_study() {
   chooser->setFileMode(QFileDialog::Directory);
   chooser->setOption(QFileDialog::ShowDirsOnly);
   connect(chooser, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { open_study(folder.toStdString()); });
+          [this](const QString& folder) { open_chosen(folder.toStdString()); });
   chooser->open();
+}
+
+void StudyWindow::open_chosen(const std::filesystem::path& folder) {
+  // The empty folder of a known study is that of a disk that is not connected.
+  const bool is_known = std::ranges::any_of(
+      recent_studies(), [&folder](const RecentStudy& study) { return study.folder == folder; });
+  if (is_known || !may_become_study(folder)) {
+    open_study(folder);
+    return;
+  }
+  banner_->show_news(
+      State::look,
+      tr("%1 is an empty folder and not yet a study. It can become one.").arg(text_of_path(folder)),
+      tr("Create here"), [this, folder] { make_new_study(folder, {}); });
 }
 
 void StudyWindow::open_demo() {

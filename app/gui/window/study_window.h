@@ -51,7 +51,7 @@ class StudyWindow final : public QMainWindow {
   ///
   /// Returns whether the study is open now. With plug-ins in the settings it is not: a dialog shows the progress of their checks
   /// first and can cancel them.
-  bool open_study(const std::filesystem::path& folder, const std::function<void()>& opened = {});
+  bool open_study(const std::filesystem::path& place, const std::function<void()>& opened = {});
   void close_study();
   /// Null while the welcome page is shown.
   OpenStudy* study() const noexcept { return study_.get(); }
@@ -112,6 +112,8 @@ class StudyWindow final : public QMainWindow {
   void choose_language(const QString& code);
   void ask_for_new_study();
   void ask_for_study();
+  /// Opens the study in a folder that the user has just chosen, or offers to make one where the folder is empty.
+  void open_chosen(const std::filesystem::path& folder);
   void open_demo();
   void ask_whom_to_share_with();
   void ask_for_plugins();

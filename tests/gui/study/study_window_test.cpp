@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <unistd.h>
@@ -15,6 +16,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialog>
+#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
@@ -43,6 +45,13 @@ class StudyWindowTest : public QuietHome {
  protected:
   void click(StudyWindow& window, const char* button) {
     QTest::mouseClick(&child<QPushButton>(window, button), Qt::LeftButton);
+  }
+  void choose_to_open(StudyWindow& window, const std::filesystem::path& folder) {
+    click(window, "welcome_open");
+    auto* chooser = window.findChild<QFileDialog*>();
+    ASSERT_NE(chooser, nullptr);
+    emit chooser->fileSelected(QString::fromStdString(folder.string()));
+    chooser->close();
   }
 };
 
@@ -147,7 +156,8 @@ TEST_F(StudyWindowTest, MakesAStudyOfAnEmptyFolder) {
   StudyWindow window{};
   window.resize(1366, 900);
   window.show();
-  EXPECT_FALSE(window.open_study(folder));
+  choose_to_open(window, folder);
+  EXPECT_EQ(window.study(), nullptr);
   EXPECT_EQ(window.banner().text(),
             "~/empty is an empty folder and not yet a study. It can become one.");
   take_screenshot(window, "empty-folder-opened");
@@ -155,6 +165,38 @@ TEST_F(StudyWindowTest, MakesAStudyOfAnEmptyFolder) {
   ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
   EXPECT_EQ(window.study()->folder(), folder);
   EXPECT_EQ(window.study()->study().name(), "empty");
+}
+
+// As the mount point of a disk that is not connected.
+TEST_F(StudyWindowTest, OffersNoSecondStudyInTheEmptyFolderOfAKnownOne) {
+  const std::filesystem::path folder = home() / "mounted";
+  std::filesystem::create_directories(folder);
+  StudyWindow window{};
+  window.show();
+  const auto expect_no_offer = [&] {
+    EXPECT_TRUE(window.banner().text().startsWith("The study could not be opened"))
+        << window.banner().text().toStdString();
+    EXPECT_FALSE(child<QPushButton>(window.banner(), "banner_action").isVisible());
+  };
+  EXPECT_FALSE(window.open_study(folder));  // as the command line and the list of recent studies do
+  expect_no_offer();
+  remember_study(folder, "mounted");
+  choose_to_open(window, folder);
+  expect_no_offer();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(StudyWindowTest, OpensARelativeFolder) {
+  const std::filesystem::path place = std::filesystem::canonical(home());
+  new_study(place / "study");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(place);
+  StudyWindow window{};
+  EXPECT_TRUE(window.open_study("./study"));
+  std::filesystem::current_path(before);
+  ASSERT_NE(window.study(), nullptr);
+  EXPECT_EQ(window.study()->folder(), place / "study");
+  EXPECT_EQ(recent_studies().at(0).folder, place / "study");
 }
 
 TEST_F(StudyWindowTest, RefusesANameThatIsTaken) {
@@ -200,6 +242,27 @@ class AsSomebodyElse {
  private:
   uid_t was_;
 };
+
+TEST_F(StudyWindowTest, SaysThatAFolderForANewStudyCannotBeRead) {
+  using std::filesystem::perms;
+  std::filesystem::create_directories(home() / "closed");
+  std::filesystem::permissions(home(), perms::all);  // the way there
+  std::filesystem::permissions(home() / "closed", perms::none);
+  {
+    const AsSomebodyElse somebody_else;
+    StudyWindow window{};
+    window.show();
+    click(window, "welcome_new");
+    auto& dialog = child<QDialog>(window, "new_study_dialog");
+    child<QLineEdit>(dialog, "new_study_place").setText("~");
+    child<QLineEdit>(dialog, "new_study_name").setText("closed");
+    EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
+              "~/closed already exists and cannot be read, so that it is unknown whether it is "
+              "empty. Choose another name or another parent folder.");
+    EXPECT_FALSE(child<QPushButton>(dialog, "new_study_create").isEnabled());
+  }
+  std::filesystem::permissions(home() / "closed", perms::all);
+}
 
 TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) {
   using std::filesystem::perms;
