@@ -1,4 +1,5 @@
-// Checks each block for unused factors, priors, parts and unbalanced positions, and scales of one name for one wording.
+// Checks each block for unused factors, priors, parts, unbalanced positions and equal trials, and scales of one name for one
+// wording.
 
 #include "protocols/warnings/design_warnings.h"
 
@@ -75,19 +76,25 @@ bool names_factor(const nlohmann::json& value, const std::string& factor) {
          });
 }
 
+bool states_repetitions(const Block& block, const FactorLevels& row) {
+  return std::ranges::any_of(block.repetitions_of, [&row](const Block::RowRepetitions& stated) {
+    return has_levels(row, stated.levels);
+  });
+}
+
 class DesignWarnings final {
  public:
   DesignWarnings(const Protocol& protocol, const std::string& file_name)
       : protocol_(protocol), document_(protocol.source, file_name) {}
 
   std::vector<Diagnostic> all() {
-    const auto source = nlohmann::json::parse(protocol_.source);
     for (const auto& [name, block] : protocol_.blocks) {
       const std::string pointer = pointer_to("/blocks", name);
-      warn_of_unused_factors(block, source, pointer);
+      warn_of_unused_factors(block, pointer);
       warn_of_prior(block, pointer);
       warn_of_parts(block, pointer);
       warn_of_positions(block, pointer);
+      warn_of_equal_rows(block, pointer);
     }
     warn_of_scales();
     return std::move(found_);
@@ -98,13 +105,12 @@ class DesignWarnings final {
     found_.push_back(document_.at(pointer, std::move(message)));
   }
 
-  void warn_of_unused_factors(const Block& block, const nlohmann::json& source,
-                              const std::string& pointer) {
+  void warn_of_unused_factors(const Block& block, const std::string& pointer) {
     for (std::size_t i = 0; i < block.crossed.size(); ++i) {
       const std::string& factor = block.crossed[i];
       const auto known = protocol_.factors.find(factor);
       if (factor == kRepetitionFactor || known == protocol_.factors.end() ||
-          known->second.levels.size() < 2 || names_factor(source, factor)) {
+          known->second.levels.size() < 2 || names_factor(document_.root(), factor)) {
         continue;
       }
       warn(pointer_to(pointer + "/crossed", i),
@@ -196,6 +202,24 @@ class DesignWarnings final {
                 "positions need not be balanced within each level, so that a level can have the "
                 "comparison more often in one position: %1")
              .with(changes));
+  }
+
+  /// One for each group of equal rows, at the second of them. In a fixed order a trial may return.
+  void warn_of_equal_rows(const Block& block, const std::string& pointer) {
+    if (block.order == Block::Order::fixed) return;
+    std::map<FactorLevels, std::vector<std::size_t>> groups{};
+    for (std::size_t i = 0; i < block.listed.size(); ++i) groups[block.listed[i]].push_back(i);
+    for (const auto& [row, group] : groups) {
+      if (group.size() < 2 || states_repetitions(block, row)) continue;
+      std::vector<Phrase> numbers{};
+      for (const std::size_t i : group) numbers.emplace_back(std::to_string(i + 1));
+      warn(pointer_to(pointer + "/listed", group[1]),
+           phrase("Protocols",
+                  "the listed trials %1 have the same levels, so that this trial is presented more "
+                  "often than the others; change a level, or remove all but one of them and state "
+                  "the number of its repetitions")
+               .with(joined_by_and(numbers)));
+    }
   }
 
   /// Responses to a scale are stored under its name, and analyses pool those of all blocks.

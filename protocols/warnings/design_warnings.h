@@ -17,6 +17,7 @@ namespace asperity {
 /// - block in which a participant is given one of so many parts of the pairs that these need not connect all levels;
 /// - main block of a choice between surfaces with constant stimuli whose positions need not be balanced within each level
 ///   (balances_every_row);
+/// - group of equal listed trials of a block in random order, unless the block states its number of repetitions;
 /// - scale with another question, other labels or other points than the scale of the same name in another block, whose
 ///   responses are stored under the same name.
 ///

@@ -92,6 +92,26 @@ TEST(DesignWarnings, AreAboutPartsThatNeedNotConnectAllLevels) {
                                               "participant need not connect all 10 levels"));
 }
 
+TEST(DesignWarnings, AreAboutEqualListedTrialsOncePerGroup) {
+  json file = test::library_file("roughness_diameter");
+  json& practice = file["blocks"]["practice"];
+  practice["listed"][2] = practice["listed"][0];
+  const auto about = [](const std::string& trials) {
+    return "/blocks/practice/listed/2: the listed trials " + trials +
+           " have the same levels, so that this trial is presented more often than the others; "
+           "change a level, or remove all but one of them and state the number of its repetitions";
+  };
+  EXPECT_THAT(warned(file), ElementsAre(about("1 and 3")));
+  practice["listed"].push_back(practice["listed"][0]);
+  EXPECT_THAT(warned(file), ElementsAre(about("1, 3 and 4")));
+  practice["order"] = "shuffle";
+  practice["repetitions_of"] = {{{"levels", practice["listed"][0]}, {"repetitions", 2}}};
+  EXPECT_THAT(warned(file), IsEmpty());
+  practice.erase("repetitions_of");
+  practice["order"] = "fixed";
+  EXPECT_THAT(warned(file), IsEmpty());
+}
+
 /// amplitude_jnd_psi with constant stimuli.
 json constant_stimuli(int repetitions) {
   json file = test::library_file("amplitude_jnd_psi");

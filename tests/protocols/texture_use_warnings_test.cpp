@@ -1,4 +1,4 @@
-// Textures that nothing uses and trials that are listed twice are named.
+// Textures that nothing uses are named.
 
 #include "protocols/warnings/texture_use_warnings.h"
 
@@ -45,20 +45,24 @@ TEST(TextureUseWarnings, NameATextureThatNothingUses) {
                           "\"spare\"; use it, or remove it"));
 }
 
-// As after a level that became another texture.
-TEST(TextureUseWarnings, NameATrialThatIsListedTwice) {
-  json file = test::library_file("roughness_diameter");
-  json& practice = file["blocks"]["practice"];
-  practice["listed"][2]["texture"] = practice["listed"][0]["texture"];
-  EXPECT_THAT(warned(file),
-              ElementsAre("/blocks/practice/listed/2: the listed trials 1 and 3 have the same "
-                          "levels, so that this trial is presented twice; change a level, or "
-                          "remove one of them and state the number of its repetitions"));
-  practice["order"] = "shuffle";
-  practice["repetitions_of"] = {{{"levels", practice["listed"][0]}, {"repetitions", 2}}};
+// Each of them is used once, until it is not.
+TEST(TextureUseWarnings, AreNotAboutATextureOfABody) {
+  json file = test::library_file("tools_matching");
   EXPECT_THAT(warned(file), IsEmpty());
-  practice.erase("repetitions_of");
-  practice["order"] = "fixed";
+  file["bodies"]["studded_plate"]["texture"] = "fine";
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("uses the texture \"studs\"")));
+}
+
+TEST(TextureUseWarnings, AreNotAboutATextureAmongThePicturesOfAQuestion) {
+  json file = test::library_file("chapter_recognition");
+  EXPECT_THAT(warned(file), IsEmpty());
+  file["blocks"]["main"]["question"]["pictures"] = {"metal", "stone", "wood", "brick", "pebbles"};
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("uses the texture \"sandpaper\"")));
+}
+
+TEST(TextureUseWarnings, AreNotAboutATextureWhoseSpacingIsAnalysed) {
+  json file = test::library_file("roughness_diameter");
+  file["stimuli"]["cones"]["texture"] = "spacing_14";
   EXPECT_THAT(warned(file), IsEmpty());
 }
 
