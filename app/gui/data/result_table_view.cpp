@@ -20,7 +20,6 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostLines = 3;
 constexpr int kPaddingOfHeading = 22;  // as the style sheet says, with the margin of the style
 constexpr int kHeightOfPadding = 16;
 /// Widths of elided names.
@@ -77,7 +76,11 @@ ResultTableView::ResultTableView(const ResultTable& table, QWidget* parent) : QT
 
 void ResultTableView::measure() {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    columns_[i].cells = sizeHintForColumn(static_cast<int>(i));
+    const int column = static_cast<int>(i);
+    columns_[i].cells = sizeHintForColumn(column);
+    for (std::size_t lines = 1; lines <= kMostLines; ++lines) {
+      columns_[i].headings[lines - 1] = heading_width(column, static_cast<int>(lines));
+    }
   }
   fitted_ = -1;
   // As wide as it would be with any room.
@@ -110,13 +113,14 @@ int ResultTableView::heading_width(int column, int lines) const {
 
 std::vector<int> ResultTableView::widths_within(int room) const {
   std::vector<int> widths(columns_.size());
-  const auto set_widths = [&](int lines, int margin) {
+  const auto set_widths = [&](std::size_t lines, int margin) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      widths[i] = std::max(columns_[i].cells, heading_width(static_cast<int>(i), lines)) + margin;
+      widths[i] = std::max(columns_[i].cells, columns_[i].headings[lines - 1]) + margin;
     }
   };
   set_widths(1, kMargin);
-  for (int lines = 1; lines <= kMostLines && sum_of(widths) > room; ++lines) set_widths(lines, 0);
+  for (std::size_t lines = 1; lines <= kMostLines && sum_of(widths) > room; ++lines)
+    set_widths(lines, 0);
   // The widest names become narrower, step by step; in a table that scrolls they need not be as narrow.
   const std::vector<int> whole = widths;
   for (const int narrowest : {kNarrowestName, kNameThatScrolls}) {
@@ -125,7 +129,7 @@ std::vector<int> ResultTableView::widths_within(int room) const {
       std::size_t widest = widths.size();
       int least_of_widest = 0;
       for (std::size_t i = 0; i < widths.size(); ++i) {
-        const int least = std::max(narrowest, heading_width(static_cast<int>(i), kMostLines));
+        const int least = std::max(narrowest, columns_[i].headings.back());
         if (!columns_[i].holds_words || widths[i] <= least) continue;
         if (widest != widths.size() && widths[i] <= widths[widest]) continue;
         widest = i;

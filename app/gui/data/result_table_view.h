@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <QtWidgets/QTableView>
@@ -21,11 +23,13 @@ class ResultTableView final : public QTableView {
   void changeEvent(QEvent* event) override;
 
  private:
+  static constexpr std::size_t kMostLines = 3;
   struct Column {
     int cells = 0;  ///< the width that the widest cell needs
+    /// The smallest widths at which the heading has at most one line, two and so on.
+    std::array<int, kMostLines> headings{};
     bool holds_words = false;
   };
-  /// The smallest width at which the heading has at most so many lines.
   int heading_width(int column, int lines) const;
   std::vector<int> widths_within(int room) const;
   void measure();
