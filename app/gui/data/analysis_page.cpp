@@ -272,12 +272,15 @@ void AnalysisPage::show_analysis(Analysis analysis) {
   list_->clear();
   for (const AnalysisOutcome& outcome : outcomes_) {
     const QString responses = answers_text(static_cast<int>(outcome.answers));
-    list_->addItem(tr("%1 %2\n%3 · %4")
-                       .arg(QString::fromStdString(outcome.protocol),
-                            QString::fromStdString(outcome.version), group_text(outcome.group),
-                            is_one_of_several_kinds(outcome, outcomes_)
-                                ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
-                                : responses));
+    auto* item = new QListWidgetItem(
+        tr("%1 %2\n%3 · %4")
+            .arg(QString::fromStdString(outcome.protocol), QString::fromStdString(outcome.version),
+                 group_text(outcome.group),
+                 is_one_of_several_kinds(outcome, outcomes_)
+                     ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
+                     : responses),
+        list_);
+    item->setToolTip(item->text());  // a long name is elided
   }
   stack_->setCurrentWidget(outcomes_.empty() ? none_ : both_);
   show_whether_exportable();
