@@ -201,8 +201,8 @@ constexpr auto kPresentedKeys =
 }  // namespace
 
 constexpr KeyTableOf<Criterion> kCriterionTable = table_of(
-    "Practice to a criterion: the block ends when the required number of the most recent responses "
-    "are correct.",
+    "Practice to a criterion: the block ends when at least `correct` of the last `of_last` "
+    "responses are correct.",
     kCriterionKeys);
 
 constexpr KeyTableOf<Roving> kRovingTable = table_of(

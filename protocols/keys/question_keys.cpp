@@ -159,13 +159,12 @@ constexpr KeyTableOf<LineForm> kLineTable = table_of(
 
 constexpr KeyTableOf<AnswerCondition> kConditionTable = table_of(
     "The answer to an earlier question of the questionnaire on which a question or a screen "
-    "depends. Exactly one of an answer, several possible answers, an answer among those chosen, or "
-    "a range.",
+    "depends. Exactly one of `is`, `in`, `includes`, or a range.",
     kConditionKeys, "condition");
 
 constexpr KeyTableOf<AnswerCondition> kTrialConditionTable = table_of(
     "The answer to an earlier question of the same trial on which a question depends. Exactly one "
-    "of an answer, several possible answers, an answer among those chosen, or a range.",
+    "of `is`, `in`, `includes`, or a range.",
     kTrialConditionKeys, "condition");
 
 }  // namespace asperity

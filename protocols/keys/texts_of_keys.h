@@ -9,7 +9,8 @@
 namespace asperity {
 
 /// The distinct texts of all keys of a protocol: labels, meanings (also of objects, entries and words) and computed
-/// defaults. They are English; windows look up their translations in the context "Keys".
+/// defaults. A meaning can name other keys in backticks, of which forms show the labels. The texts are English; windows
+/// look up their translations in the context "Keys".
 std::set<std::string_view> texts_of_keys();
 
 /// The sentences about keys that are not permitted where they are, as the tables state them; likewise translated.

@@ -67,7 +67,7 @@ constexpr auto kEstimationKeys = keys_of(
     member_key<&Estimation::spacing>(
         "spacing", "Spacings",
         "The factor whose levels are spacings: numbers in metres, or textures with a stated "
-        "spacing. It is stated instead of the factor of other stimuli.",
+        "spacing. Either `spacing` or `factor`.",
         NameShape{.registry = kFactorNames, .governs_levels = true, .levels = "textures"}),
     member_key<&Estimation::items>(
         "factor", "Factor",
@@ -83,8 +83,8 @@ constexpr auto kEstimationKeys = keys_of(
         WordShape{kPredictors}),
     member_key<&Estimation::predictor_values>(
         "values", "Values",
-        "With stated values as the predictor: the value of each level, above 0. A level that is a "
-        "number can be written in any notation.",
+        "With stated values as the predictor: the value of each level, above 0. In the file the "
+        "levels are in quotation marks, numbers among them in any notation.",
         MapShape{.entry = &kValueOfLevel,
                  .meaning = "The value of a level.",
                  .has_names = false,

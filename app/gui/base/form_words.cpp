@@ -25,6 +25,9 @@ namespace asperity {
 
 namespace {
 
+/// The context of phrase_of_key.
+constexpr const char* kTextsOfKeys = "Keys";
+
 /// Between the parts of a path.
 const QString kOfPath = QStringLiteral(" › ");
 
@@ -79,7 +82,17 @@ QString with_settings(const std::string& sentence) {
 }  // namespace
 
 QString text_of_keys(std::string_view english) {
-  return QCoreApplication::translate("Keys", std::string(english).c_str());
+  return QCoreApplication::translate(kTextsOfKeys, std::string(english).c_str());
+}
+
+QString meaning_in_form(std::string_view english) {
+  static const QRegularExpression kName("`([^`]+)`");
+  QString meaning = text_of_keys(english);
+  for (auto name = kName.match(meaning); name.hasMatch(); name = kName.match(meaning)) {
+    const std::string quoted = '"' + name.captured(1).toStdString() + '"';
+    meaning.replace(name.capturedStart(), name.capturedLength(), label_in_quotes({}, quoted));
+  }
+  return meaning;
 }
 
 QString path_in_form(const nlohmann::json& protocol, const std::string& pointer) {
@@ -113,7 +126,8 @@ QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remar
     const bool has_other_unit = number && !number->display.unit.empty();
     if (of == kUnitsOfFile && has_other_unit) return std::string();
     if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();
-    const std::string sentence = windows(context, words);
+    const std::string sentence =
+        of == kTextsOfKeys ? meaning_in_form(words).toStdString() : windows(context, words);
     return sentence == words ? with_settings(sentence).toStdString() : sentence;
   };
   return text(remark.message.translated(look_up));

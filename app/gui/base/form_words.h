@@ -14,6 +14,8 @@ struct Diagnostic;
 
 /// A text of the tables of keys, which are English, in the language of the windows.
 QString text_of_keys(std::string_view english);
+/// A meaning of the tables of keys, with the labels of the keys that it names in backticks.
+QString meaning_in_form(std::string_view english);
 
 /// The path to a value in the words of the form: "Blocks › main › Question".
 QString path_in_form(const nlohmann::json& protocol, const std::string& pointer);

@@ -67,5 +67,10 @@ TEST_F(WordsOfForm, NameKeysByTheirLabelsInGerman) {
               HasSubstr("die Einstellung „Kraftmodell“ fehlt"));
 }
 
+TEST_F(WordsOfForm, NameTheKeysOfAMeaningByTheirLabels) {
+  EXPECT_EQ(meaning_in_form("At least `correct` of the last `of_last`."),
+            "At least “Correct responses” of the last “Responses considered”.");
+}
+
 }  // namespace
 }  // namespace asperity

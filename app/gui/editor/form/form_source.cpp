@@ -160,7 +160,7 @@ std::string renamed_pointer(const JsonDocument& before, const JsonDocument& afte
 }
 
 QString meaning_of_key(const ProtocolKey& key) {
-  QString meaning = text_of_keys(meaning_of(key));
+  QString meaning = meaning_in_form(meaning_of(key));
   if (!key.lists_words) return meaning;
   for (const KeyWord& word : std::get<WordShape>(key.shape).words) {
     meaning += '\n' + shown_word(word);
