@@ -42,8 +42,8 @@ constexpr auto kTextureKeys = keys_of(
     member_key<&Texture::assets>(
         "assets", "Further files",
         "Further files that force models need: role → file, relative to the study. The models "
-        "declare the roles (see `asperity models`): `recording` of the model `recorded`, "
-        "`vibration_models` of `data_driven`.",
+        "declare the roles (see `asperity models`): \"recording\" of the model \"recorded\", "
+        "\"vibration_models\" of \"data_driven\".",
         MapShape{.entry = &kAssetFile, .has_names = false}),
     member_key<&Texture::spacing_m>(
         "spacing_m", "Spacing",

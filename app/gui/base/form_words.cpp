@@ -86,7 +86,7 @@ QString text_of_keys(std::string_view english) {
 }
 
 QString meaning_in_form(std::string_view english) {
-  static const QRegularExpression kName("`([^`]+)`");
+  static const QRegularExpression kName("`(\\w+)`");
   QString meaning = text_of_keys(english);
   for (auto name = kName.match(meaning); name.hasMatch(); name = kName.match(meaning)) {
     const std::string quoted = '"' + name.captured(1).toStdString() + '"';

@@ -70,6 +70,7 @@ TEST_F(WordsOfForm, NameKeysByTheirLabelsInGerman) {
 TEST_F(WordsOfForm, NameTheKeysOfAMeaningByTheirLabels) {
   EXPECT_EQ(meaning_in_form("At least `correct` of the last `of_last`."),
             "At least “Correct responses” of the last “Responses considered”.");
+  EXPECT_EQ(meaning_in_form("A mesh made by `asperity bake`."), "A mesh made by `asperity bake`.");
 }
 
 }  // namespace
