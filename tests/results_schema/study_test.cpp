@@ -2,7 +2,9 @@
 
 #include "results_schema/study.h"
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -51,6 +53,23 @@ TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
   EXPECT_FALSE(Study::exists(folder.path()));
   EXPECT_THROW(Study::create(folder / "nameless", ""), std::invalid_argument);
   EXPECT_FALSE(std::filesystem::exists(folder / "nameless"));
+}
+
+// Whoever comes second removes nothing of the first.
+TEST(Study, IsMadeOnceWhereTwoFindTheFolderEmpty) {
+  for (int time = 0; time < 20; ++time) {
+    const TemporaryFolder folder;
+    std::atomic<int> made = 0;
+    const auto make = [&] {
+      if (refusal_of<ResultsError>([&] { Study::create(folder.path(), "x"); }).empty()) ++made;
+    };
+    {
+      const std::jthread one(make);
+      const std::jthread other(make);
+    }
+    EXPECT_EQ(made.load(), 1);
+    EXPECT_EQ(Study::open(folder.path(), Access::read_only).name(), "x");
+  }
 }
 
 // Each commit: the first in a log also syncs the beginning of the log, whatever is asked of the others.
