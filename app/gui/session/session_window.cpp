@@ -192,6 +192,7 @@ void SessionWindow::do_emergency_stop() {
 void SessionWindow::do_verb(SessionVerb verb) {
   // Also while the session is being prepared.
   if (verb == SessionVerb::show_participant) return emit participant_window_wanted();
+  refresh();  // it may have begun since the last frame
   if (is_preparing() && verb == SessionVerb::abort && !cancelling_) {
     cancelling_ = true;
     write_controls();
@@ -366,12 +367,12 @@ bool SessionWindow::may_close() {
   // Also while the session is still being prepared: nobody would see it begin.
   if (ended_ || failed_) return true;
   if (only_tried_) {
-    requests_.abort(phrase_of(Reason::stopped_as_asked));
+    do_verb(SessionVerb::abort);
     close_when_ended_ = true;
   } else {
     questions_->ask_to_leave();
   }
-  return false;
+  return ended_;  // meanwhile
 }
 
 void SessionWindow::closeEvent(QCloseEvent* event) {

@@ -92,6 +92,32 @@ TEST(SessionWindow, CanBeCancelledWhileItIsPrepared) {
   EXPECT_TRUE(window.may_close());
 }
 
+TEST(SessionWindow, CancelsATrialWithTheMouseThatIsBeingPrepared) {
+  for (const bool is_closed : {false, true}) {
+    SessionMonitor preparing{};
+    SessionRequests requests{};
+    SessionWindow window(preparing, requests, {});
+    window.set_only_tried(true);
+    window.show();
+    const QSignalSpy cancelled(&window, &SessionWindow::cancel_wanted);
+    const QSignalSpy closed(&window, &SessionWindow::closed);
+    auto& end = child<QPushButton>(window, "abort");
+    if (is_closed) {
+      window.close();
+    } else {
+      end.click();
+    }
+    EXPECT_EQ(cancelled.size(), 1);
+    EXPECT_FALSE(end.isEnabled());
+    EXPECT_EQ(closed.size(), 0);
+    window.close();
+    EXPECT_EQ(cancelled.size(), 1) << "once";
+    preparing.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
+    window.show_end({.state = SessionState::stopped});
+    EXPECT_EQ(closed.size(), 1);
+  }
+}
+
 TEST(SessionWindow, NamesEveryOutcomeInFullWhereConditionsAreHidden) {
   FilledMonitor session{};
   session.answer_up_to(34);

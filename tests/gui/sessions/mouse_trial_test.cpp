@@ -32,6 +32,7 @@ TEST_F(MouseTrials, ListTheTrialsThatAreRun) {
 TEST_F(MouseTrials, EndWithoutAQuestion) {
   make_study();
   add_protocol({.trials = 3});
+  const auto before = hashes();
   const auto expect_end = [&] {
     EXPECT_TRUE(experimenter().findChildren<QDialog*>().isEmpty());
     wait_for("the end", [&] { return desk->runner() == nullptr; });
@@ -46,6 +47,14 @@ TEST_F(MouseTrials, EndWithoutAQuestion) {
   begin_by_mouse("small");
   experimenter().close();
   expect_end();
+  // While it is being prepared.
+  window->show_page("protocols");
+  click(*window, "protocol_by_mouse");
+  wait_for("the preparation", [&] { return desk->runner() != nullptr; });
+  experimenter().close();
+  expect_end();
+  close_windows();
+  EXPECT_EQ(hashes(), before);
 }
 
 TEST_F(MouseTrials, AreOfTheChosenGroup) {
