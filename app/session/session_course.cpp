@@ -3,6 +3,7 @@
 #include "app/session/session_course.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "app/words/coded_phrases.h"
@@ -51,7 +52,9 @@ SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
       requests_(requests),
       links_(links),
       watch_(links.monitor),
-      recorder_(&watch_) {}
+      recorder_(&watch_) {
+  assert(!links.last_trial || *links.last_trial >= 1);
+}
 
 void SessionCourse::begin(const SessionRow& row) {
   row_ = row;
@@ -231,8 +234,14 @@ Plan SessionCourse::shown_of(const Plan& plan) const {
   });
   shown.steps.erase(left_out, shown.steps.end());
   shown.trials.resize(std::min(count, plan.trials.size()));
-  shown.blocks = shown.trials.back().block_ordinal;
+  shown.blocks = last_shown_block(plan);
   return shown;
+}
+
+int SessionCourse::last_shown_block(const Plan& plan) const {
+  if (!links_.last_trial || plan.trials.empty()) return plan.blocks;
+  const auto count = static_cast<std::size_t>(*links_.last_trial);
+  return plan.trials[std::min(count, plan.trials.size()) - 1].block_ordinal;
 }
 
 void SessionCourse::update(const std::function<void(SessionSnapshot&)>& change) {

@@ -105,6 +105,8 @@ class SessionCourse final {
   void set_plan(const Plan& plan);
   /// The plan as windows show it: that of a session which only tries a protocol ends with its last trial.
   Plan shown_of(const Plan& plan) const;
+  /// The position of the last block that it has, from 1.
+  int last_shown_block(const Plan& plan) const;
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);

@@ -21,7 +21,7 @@ struct SessionLinks {
   /// An experimenter is present: after a fault, or when the masking noise stops, the session waits
   /// for their decision; otherwise it ends and can be resumed.
   bool experimenter_is_there = false;
-  /// The session ends after this trial of its plan, as one that only tries a protocol.
+  /// The session ends after this trial of its plan, at least 1, as one that only tries a protocol.
   std::optional<int> last_trial{};
   /// Receives, as lines, the problems of the device, that a problem is over, and why a trial is
   /// repeated; for callers without a monitor.

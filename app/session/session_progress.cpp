@@ -50,7 +50,7 @@ void SessionProgress::extend() {
     }
   }
   const std::optional<int> last = course_.last_trial();
-  const int blocks = last ? course_.shown_of(plan_).blocks : plan_.blocks;
+  const int blocks = course_.last_shown_block(plan_);
   course_.update([&](SessionSnapshot& snapshot) {
     snapshot.blocks = blocks;
     snapshot.trials = static_cast<int>(plan_.trials.size()) + unknown_trials();
