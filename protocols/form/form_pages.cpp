@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
 #include "protocols/design/json_pointer.h"
@@ -48,14 +47,18 @@ constexpr std::array<PagePart, 6> kSurfaces{
     {{"textures"}, {"bodies"}, {"stimuli"}, {"factors"}, {"material"}, {"surface"}}};
 constexpr std::array<PagePart, 3> kTask{
     {{"blocks", kTrialsOfBlock, true}, {"explorations"}, {"estimation"}}};
-constexpr std::array<PagePart, 5> kOrder{
-    {{"flow"}, {"blocks", kTrialsOfBlock}, {"counterbalance"}, {"groups"}, {"resume"}}};
+constexpr std::array<PagePart, 5> kOrder{{{"flow"},
+                                          {"blocks", kTrialsOfBlock},
+                                          {"counterbalance"},
+                                          {.key = "groups", .is_in_title = true},
+                                          {"resume"}}};
 constexpr std::array<PagePart, 4> kParticipant{
-    {{"participants"}, {"consent"}, {"questions"}, {"environment"}}};
+    {{.key = "participants", .is_in_title = true}, {"consent"}, {"questions"}, {"environment"}}};
 constexpr std::array<PagePart, 1> kTexts{{{"language"}}};
-constexpr std::array<PagePart, 3> kDevice{{{"device"}, {"instability"}, {"recording"}}};
+constexpr std::array<PagePart, 3> kDevice{
+    {{.key = "device", .is_in_title = true}, {"instability"}, {"recording"}}};
 constexpr std::array<PagePart, 1> kObserver{{{"observer"}}};
-constexpr std::array<PagePart, 1> kAnalysis{{{"analysis"}}};
+constexpr std::array<PagePart, 1> kAnalysis{{{.key = "analysis", .is_in_title = true}}};
 
 constexpr std::array<FormPage, 9> kPages{{
     {"question", "Question", "What the experiment asks, and how the protocol is cited.", kQuestion},
@@ -98,17 +101,6 @@ bool has_key(const PagePart& part, std::string_view key) {
   const bool is_listed =
       std::find(part.of_entries.begin(), part.of_entries.end(), key) != part.of_entries.end();
   return is_listed != part.are_left_out;
-}
-
-bool is_in_title(const FormPage& page, const ProtocolKey& key) {
-  const auto is_same = [](char one, char other) {
-    return std::tolower(static_cast<unsigned char>(one)) ==
-           std::tolower(static_cast<unsigned char>(other));
-  };
-  const auto contains = [&is_same](std::string_view text, std::string_view part) {
-    return !std::ranges::search(text, part, is_same).empty();
-  };
-  return contains(page.label, key.label) || contains(key.label, page.label);
 }
 
 const FormPage& form_page_of(std::string_view pointer) {

@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-struct ProtocolKey;
-
 /// A key of a protocol on a page of the form.
 struct PagePart {
   std::string_view key{};
   /// Of a key with objects by name: which keys of these objects are on the page. Empty: all.
   std::span<const std::string_view> of_entries{};
   bool are_left_out = false;  ///< all but `of_entries`
+  /// The page is named after the key: a form shows it also without a value.
+  bool is_in_title = false;
 };
 
 /// A page of the form, in the order in which a study is planned.
@@ -34,10 +34,6 @@ std::span<const std::string_view> keys_of_files();
 
 /// Whether a page has the key of an object, an entry of the part.
 bool has_key(const PagePart& part, std::string_view key);
-
-/// Whether the page is named after the key: "Order and groups" after "Groups", "Device" after "Haptic device". A form shows such
-/// a key also without a value.
-bool is_in_title(const FormPage& page, const ProtocolKey& key);
 
 /// The page with the value at a JSON pointer; the first page if none has it.
 const FormPage& form_page_of(std::string_view pointer);

@@ -57,22 +57,6 @@ TEST(FormPages, HaveEveryKeyOfABlockOnce) {
   EXPECT_EQ(counts.size(), kBlockTable.keys.size());
 }
 
-TEST(FormPages, AreNamedAfterKeys) {
-  const auto keys_in_title = [](std::string_view id) {
-    std::string keys{};
-    const auto page = std::ranges::find(form_pages(), id, &FormPage::id);
-    for (const PagePart& part : page->parts) {
-      if (is_in_title(*page, *kProtocolTable.find(part.key))) keys += std::string(part.key) + " ";
-    }
-    return keys;
-  };
-  EXPECT_EQ(keys_in_title("order"), "groups ");
-  EXPECT_EQ(keys_in_title("analysis"), "analysis ");
-  EXPECT_EQ(keys_in_title("participant"), "participants ");
-  EXPECT_EQ(keys_in_title("device"), "device ");
-  EXPECT_EQ(keys_in_title("task"), "");
-}
-
 TEST(FormPages, AreFoundByThePlaceOfAValue) {
   EXPECT_EQ(form_page_of("/title").id, "question");
   EXPECT_EQ(form_page_of("/textures/brick/code").id, "surfaces");

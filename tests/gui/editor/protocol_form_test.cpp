@@ -6,6 +6,7 @@
 #include <array>
 #include <random>
 #include <string>
+#include <utility>
 
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
@@ -427,16 +428,21 @@ TEST_F(FormOfProtocol, ShowsAndAddsTheGroupsOfAScreen) {
   EXPECT_EQ(tree()["flow"][screen]["groups"], json::parse(R"(["haptic"])"));
 }
 
-// The page is named after them.
-TEST_F(FormOfProtocol, OffersGroupsWithoutUnfoldingSettings) {
+TEST_F(FormOfProtocol, OffersWhatAPageIsNamedAfterWithoutUnfoldingSettings) {
   for (const LibraryProtocol& library : library_protocols()) {
-    open(std::string(library.text));
-    form().show_page("order");
-    QApplication::processEvents();
-    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
-    const bool is_present = tree().contains("groups");
-    const auto& groups = child<QWidget>(form(), is_present ? "/groups" : "add:/groups");
-    EXPECT_TRUE(groups.isVisible()) << library.name;
+    json protocol = json::parse(library.text);
+    for (const auto& [page, key] : {std::pair("order", "groups"),
+                                    {"participant", "participants"},
+                                    {"device", "device"},
+                                    {"analysis", "analysis"}}) {
+      protocol.erase(key);
+      open(protocol.dump());
+      form().show_page(page);
+      QApplication::processEvents();
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
+      const std::string name = std::string("add:/") + key;
+      EXPECT_TRUE(child<QWidget>(form(), name.c_str()).isVisible()) << library.name << " " << key;
+    }
   }
 }
 

@@ -86,7 +86,9 @@ std::vector<FormEntry> ObjectRows::entries() const {
 /// Never what the page is named after. A row that has the focus stays: its value was emptied just now.
 bool ObjectRows::can_be_folded(const FormEntry& entry) const {
   if (entry.is_present || entry.key->is_required) return false;
-  if (page_ != nullptr && is_in_title(*page_, *entry.key)) return false;
+  if (const PagePart* const part = part_of(entry.key->name); part != nullptr && part->is_in_title) {
+    return false;
+  }
   const QWidget* const focused = QApplication::focusWidget();
   return std::none_of(rows_.begin(), rows_.end(), [&](const Row& row) {
     return row.entry.pointer == entry.pointer && row.content != nullptr && focused != nullptr &&
