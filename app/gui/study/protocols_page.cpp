@@ -118,13 +118,17 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
 }
 
 /// The table has the rows that fit into half of the height, and ends below the last of them. It has fewer where the buttons of
-/// the card below it need the room.
+/// the card below it need the room. The selected row stays in sight.
 void ProtocolsPage::share_height() {
   if (is_shared_by_hand_) return;
+  const QModelIndexList selected = table_->selectionModel()->selectedRows();
+  const bool is_seen = !selected.isEmpty() &&
+                       table_->viewport()->rect().intersects(table_->visualRect(selected.front()));
   const int both = splitter_->height() - splitter_->handleWidth();
   const int card = detail_->layout()->totalMinimumHeightForWidth(splitter_->width());
   const int table = table_->height_of_rows_within(std::min(both / 2, both - card));
   splitter_->setSizes({table, both - table});
+  if (is_seen) table_->scrollTo(selected.front());
 }
 
 bool ProtocolsPage::eventFilter(QObject* watched, QEvent* event) {
@@ -241,6 +245,7 @@ QWidget* ProtocolsPage::make_detail() {
   connect(preview_, &QPushButton::clicked, this, [this] {
     plan_->show_protocol(*selected()->check.protocol);
     show_below(plan);
+    share_height();
   });
   connect(simulate_, &QPushButton::clicked, this, [this] {
     if (const ProtocolOverview* protocol = selected()) {
@@ -260,7 +265,10 @@ QWidget* ProtocolsPage::make_detail() {
                            .group = mouse_group_->currentData().toString().toStdString()});
     }
   });
-  connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
+  connect(close_, &QPushButton::clicked, this, [this] {
+    show_below(what_it_asks);
+    share_height();
+  });
   connect(file_actions_, &ProtocolFileActions::changed, this, [this](const QString& file) {
     banner().hide();
     select_next_ = file;
@@ -448,6 +456,7 @@ void ProtocolsPage::show_selected() {
   } else {
     show_below(what_it_asks);
   }
+  share_height();
 }
 
 void ProtocolsPage::show_groups(const ProtocolOverview& overview) {
@@ -465,7 +474,6 @@ void ProtocolsPage::show_groups(const ProtocolOverview& overview) {
 void ProtocolsPage::show_below(Below below) {
   close_->setVisible(below == plan);
   below_->setCurrentIndex(below);
-  share_height();
 }
 
 // An editor that puts a new file in the old one's place ends the watch on it.

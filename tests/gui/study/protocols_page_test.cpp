@@ -72,6 +72,28 @@ TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
   EXPECT_NEAR(table.height(), 170, 8);
 }
 
+// The table has fewer rows where the card of the selected protocol needs more room.
+TEST_F(StudyPages, KeepTheSelectedProtocolInSight) {
+  window_.resize(1280, 720);
+  window_.show();
+  open_lively();
+  StudyTable& table = table_of("protocols", "protocols_table", 4);
+  constexpr int kMoment_ms = 50;
+  for (const bool is_planned : {false, true}) {
+    for (int row = 0; row < 4; ++row) {
+      const QModelIndex cell = table.model()->index(row, 0);
+      table.scrollTo(cell);
+      QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell).center());
+      QTest::qWait(kMoment_ms);
+      EXPECT_TRUE(table.selectionModel()->isSelected(cell));
+      EXPECT_TRUE(table.viewport()->rect().contains(table.visualRect(cell).center())) << row;
+    }
+    if (is_planned) break;
+    select_protocol("chapter_recognition.json");
+    click("protocol_preview");
+  }
+}
+
 TEST_F(StudyPages, LetNothingOfThePlanOverlapTheButtonsOfItsProtocol) {
   open_lively();
   for (const char* const language : {"en", "de"}) {
