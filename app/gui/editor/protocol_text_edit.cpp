@@ -87,6 +87,7 @@ void ProtocolTextEdit::replace(TextRange range, const QString& text, Step step) 
 }
 
 std::unique_ptr<QTextDocument> ProtocolTextEdit::take_document() {
+  show_problems({}, {});  // their places are in it
   std::unique_ptr<QTextDocument> taken(document());
   taken->setParent(nullptr);
   setDocument(nullptr);
@@ -101,7 +102,6 @@ void ProtocolTextEdit::set_document(std::unique_ptr<QTextDocument> document) {
   delete given->findChild<JsonColors*>();  // of the theme before
   new JsonColors(given);
   make_room_for_numbers();
-  emit textChanged();
 }
 
 void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems,
