@@ -3,7 +3,6 @@
 #include "app/gui/editor/form/protocol_form.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -180,20 +179,26 @@ void ProtocolForm::resizeEvent(QResizeEvent* event) {
   keep_focused_field();
 }
 
-/// The field in use stays in its place, and in sight where news below the form takes of its height.
+/// The field in use stays in its place, and in sight, when sentences appear or disappear above it, or news below the form takes
+/// of its height.
 void ProtocolForm::keep_focused_field() {
   QWidget* const focused = QApplication::focusWidget();
   const bool is_here = focused != nullptr && content_ != nullptr && content_->isAncestorOf(focused);
-  if (is_kept_ || !is_here || focused->visibleRegion().isEmpty()) return;
-  is_kept_ = true;
-  // After all layouts: news finds its height in several.
-  constexpr std::chrono::milliseconds kMoment{50};
-  QTimer::singleShot(kMoment, this, [this, field = QPointer(focused), before = place_of(*focused)] {
-    is_kept_ = false;
-    if (field == nullptr || !field->hasFocus()) return;
-    scroll_by(place_of(*field) - before);
-    area_->ensureWidgetVisible(field, 0, 0);
+  if (kept_ != nullptr || !is_here) return;
+  kept_ = focused;
+  place_of_kept_ = place_of(*focused);
+  is_kept_in_sight_ = !focused->visibleRegion().isEmpty();
+  QTimer::singleShot(0, this, [this] {  // a label finds its height when it is shown
+    put_kept_field_back();
+    kept_ = nullptr;
   });
+}
+
+void ProtocolForm::put_kept_field_back() {
+  if (kept_ == nullptr || !kept_->hasFocus()) return;
+  send_layouts();
+  scroll_by(place_of(*kept_) - place_of_kept_);
+  if (is_kept_in_sight_) area_->ensureWidgetVisible(kept_, 0, 0);
 }
 
 /// The list itself wraps a name only some time after its width has changed.
@@ -425,19 +430,9 @@ void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
   add(State::stop, problems);
   add(State::look, warnings);
   count_problems();
-  // Sentences that appear or disappear above the field in use do not move it.
-  QWidget* const focused = QApplication::focusWidget();
-  const bool is_here = focused != nullptr && content_ != nullptr && content_->isAncestorOf(focused);
-  const int before = is_here ? place_of(*focused) : 0;
+  keep_focused_field();
   refresh();
-  if (!is_here || focused != QApplication::focusWidget()) return;
-  const auto keep = [this, focused, before] {
-    if (!focused->hasFocus()) return;
-    send_layouts();
-    scroll_by(place_of(*focused) - before);
-  };
-  keep();
-  QTimer::singleShot(0, focused, keep);  // a label finds its height when it is shown
+  put_kept_field_back();
 }
 
 void ProtocolForm::scroll_by(int step) {

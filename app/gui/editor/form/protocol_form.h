@@ -90,6 +90,7 @@ class ProtocolForm final : public QWidget {
   void scroll_to(int value);
   void scroll_by(int step);
   void keep_focused_field();
+  void put_kept_field_back();
   /// In the part of the page that is in sight, from its top.
   int place_of(const QWidget& control) const;
   /// To the control of this object name or of this part, after it was made again.
@@ -111,7 +112,9 @@ class ProtocolForm final : public QWidget {
   const FormPage* page_ = nullptr;
   bool can_be_edited_ = false;
   bool read_only_ = false;
-  bool is_kept_ = false;  ///< the place of the field in use, while the form gets another size
+  QPointer<QWidget> kept_{};  ///< the field in use, until the layout has settled
+  int place_of_kept_ = 0;
+  bool is_kept_in_sight_ = false;
   std::vector<FormPart*> parts_{};
   std::map<std::string_view, int> scrolled_{};  ///< by the page that was left
   QListWidget* pages_ = nullptr;
