@@ -327,7 +327,7 @@ void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
   banner().show_news(State::fine, news);
 }
 
-void ProtocolEditorPage::commit() { views_->commit(); }
+bool ProtocolEditorPage::commit() { return views_->commit(); }
 
 ProtocolEditorPage::Shown ProtocolEditorPage::hand_over() {
   Shown shown{.file = std::exchange(file_, {}),

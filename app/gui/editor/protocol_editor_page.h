@@ -64,8 +64,8 @@ class ProtocolEditorPage final : public StudyPage {
   /// This page has nothing any more.
   Shown hand_over();
   void resume(Shown shown);
-  /// What was typed in a field and is not in the text yet.
-  void commit();
+  /// What was typed in a field and is not in the text yet. False where it is refused: the banner states why.
+  bool commit();
   /// Empty while none is open.
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_unsaved_changes() const;

@@ -163,9 +163,7 @@ void ProtocolViews::set_read_only(bool read_only) {
 
 void ProtocolViews::forget() { form_->forget(); }
 
-void ProtocolViews::commit() {
-  if (view() == View::form) form_->commit();
-}
+bool ProtocolViews::commit() { return view() != View::form || form_->commit(); }
 
 void ProtocolViews::take_edit(const std::string& after, const std::string& step) {
   const Difference change = difference(edit_->text(), QString::fromStdString(after));

@@ -38,8 +38,8 @@ class ProtocolViews final : public QWidget {
   void set_read_only(bool read_only);
   /// The text is that of another file.
   void forget();
-  /// What was typed in the form and is not written yet.
-  void commit();
+  /// What was typed in the form and is not written yet. False where it is refused.
+  bool commit();
   void show_problems(const std::vector<Diagnostic>& problems,
                      const std::vector<Diagnostic>& warnings);
   /// The place of a problem, in the view that is shown.

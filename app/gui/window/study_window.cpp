@@ -395,8 +395,10 @@ void StudyWindow::make_view_menu() {
   const auto add_theme = [&](const QString& name, ThemeChoice choice) {
     QAction* action = themes->addAction(name, this, [this, choice] { choose_theme(choice); });
     action->setCheckable(true);
-    action->setChecked(theme_choice() == choice);
     theme_group->addAction(action);
+    // A choice may have been refused.
+    connect(themes, &QMenu::aboutToShow, action,
+            [action, choice] { action->setChecked(theme_choice() == choice); });
   };
   add_theme(tr("Use &system setting"), ThemeChoice::system);
   add_theme(tr("&Light"), ThemeChoice::light);
@@ -407,8 +409,9 @@ void StudyWindow::make_view_menu() {
   const auto add_language = [&](const QString& name, const QString& code) {
     QAction* action = languages->addAction(name, this, [this, code] { choose_language(code); });
     action->setCheckable(true);
-    action->setChecked(language_choice() == code);
     language_group->addAction(action);
+    connect(languages, &QMenu::aboutToShow, action,
+            [action, code] { action->setChecked(language_choice() == code); });
   };
   add_language(tr("Use &system setting"), "system");
   for (const QString& code : available_languages()) {
@@ -430,7 +433,8 @@ void StudyWindow::show_about() {
 
 void StudyWindow::refill_after(const std::function<void()>& change) {
   if (loading_ != nullptr || refuse_when_busy() || refuse_for_a_page("keep")) return;
-  if (editor() != nullptr) editor()->commit();  // in the language in which it was typed
+  // In the language in which it was typed.
+  if (editor() != nullptr && !editor()->commit()) return show_page("editor");
   change();
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
 }

@@ -243,6 +243,41 @@ TEST_F(Languages, KeepUnsavedChangesOfAProtocolAndTheirUndo) {
   apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
+TEST_F(Languages, StayAsTheyAreWhereANameThatWasTypedIsRefused) {
+  const std::filesystem::path folder = small_demo_study();
+  const std::filesystem::path file = folder / "protocols" / "improved_recognition.json";
+  write_file(file, library_text("improved_recognition"), Overwrite::refuse);
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  window.show_page("editor");
+  const QPointer<ProtocolEditorPage> editor(
+      static_cast<ProtocolEditorPage*>(window.page("editor")));
+  editor->open(file);
+  auto& form = child<ProtocolForm>(*editor, "editor_form");
+  form.go_to("/textures/metal");
+  QCoreApplication::processEvents();
+  auto* name = qobject_cast<QLineEdit*>(child<QWidget>(form, "name:/textures/metal").focusProxy());
+  ASSERT_NE(name, nullptr);
+  for (const QString& choice : {QLocale("de").nativeLanguageName(), QString("&Dark")}) {
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, "stone");
+    choose(window, choice);
+    QTest::qWait(50);  // in which the window would be filled anew
+    ASSERT_FALSE(editor.isNull());
+    EXPECT_EQ(window.shown_page(), "editor");
+    EXPECT_TRUE(editor->banner().isVisible());
+    EXPECT_TRUE(editor->banner().text().contains("stone"));
+    EXPECT_EQ(window.menuBar()->actions()[1]->text(), "&View");
+  }
+  EXPECT_NE(language_choice(), "de");
+  EXPECT_NE(theme_choice(), ThemeChoice::dark);
+  QTest::keyClicks(name, "_2");  // the name as it was, with these letters
+  choose(window, QLocale("de").nativeLanguageName());
+  EXPECT_TRUE(eventually([&] { return editor.isNull(); }));
+}
+
 TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
   const std::filesystem::path folder = lively_study();
   StudyWindow window{};

@@ -232,8 +232,10 @@ void ProtocolForm::act_on_entry(EntryAction action) {
   }
 }
 
-void ProtocolForm::commit() {
+bool ProtocolForm::commit() {
+  was_refused_ = false;
   if (const auto write = std::exchange(context_.write_pending, {})) write();
+  return !was_refused_;
 }
 
 void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
@@ -244,9 +246,11 @@ void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step
     edited = change(context_.source->document());
   } catch (const ProtocolError& error) {
     const nlohmann::json& protocol = context_.source->document().root();
+    was_refused_ = true;
     emit edit_refused(remark_in_form(protocol, error.diagnostics().front()));
     return;
   } catch (const std::exception& error) {
+    was_refused_ = true;
     emit edit_refused(words_of(phrase_of(error)));
     return;
   }

@@ -38,8 +38,8 @@ class ProtocolForm final : public QWidget {
   void set_read_only(bool read_only);
   /// Another file: nothing of the text before stays.
   void forget();
-  /// Writes a name that was typed and not confirmed, before the text is saved or left.
-  void commit();
+  /// Writes a name that was typed and not confirmed, before the text is saved or left. False where it is refused.
+  bool commit();
   /// The problems and warnings of the text, next to their fields.
   void show_problems(const std::vector<Diagnostic>& problems,
                      const std::vector<Diagnostic>& warnings);
@@ -112,6 +112,7 @@ class ProtocolForm final : public QWidget {
   const FormPage* page_ = nullptr;
   bool can_be_edited_ = false;
   bool read_only_ = false;
+  bool was_refused_ = false;  ///< the last edit
   QPointer<QWidget> kept_{};  ///< the field in use, until the layout has settled
   int place_of_kept_ = 0;
   bool is_kept_in_sight_ = false;
