@@ -83,10 +83,6 @@ Phrase place_name(std::string_view pointer) {
   return {kPlacesOfKeys, std::string(pointer).c_str()};
 }
 
-Phrase number_of_file(std::string_view number) {
-  return {kNumbersOfFile, std::string(number).c_str()};
-}
-
 Phrase phrase_of_key(std::string_view text) { return {"Keys", std::string(text).c_str()}; }
 
 std::vector<Phrase> quoted(const std::vector<std::string>& names) {

@@ -21,9 +21,6 @@ Phrase key_name(std::string_view key);
 /// The context of places of keys, JSON pointers: a form shows the labels that lead to the key.
 inline constexpr const char* kPlacesOfKeys = "PlacesOfKeys";
 Phrase place_name(std::string_view pointer);
-/// The context of numbers in the unit of the file, of the value that a sentence is about: a form shows them in its own unit.
-inline constexpr const char* kNumbersOfFile = "NumbersOfFile";
-Phrase number_of_file(std::string_view number);
 /// Each in quotation marks.
 std::vector<Phrase> quoted(const std::vector<std::string>& names);
 std::vector<Phrase> key_names(const std::vector<std::string>& keys);

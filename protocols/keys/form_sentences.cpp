@@ -2,7 +2,8 @@
 
 #include "protocols/keys/form_sentences.h"
 
-#include <algorithm>
+#include <optional>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -29,9 +30,48 @@ bool is_quoted_number(const json& value) {
          json::parse(value.get_ref<const std::string&>(), nullptr, false).is_number();
 }
 
-bool has_number(const std::vector<std::string>& types) {
-  return std::any_of(types.begin(), types.end(),
-                     [](const std::string& type) { return type == "number" || type == "integer"; });
+/// The number that a value of the shape can be; null if it can be none.
+const NumberShape* number_in(const ValueShape& shape) {
+  if (const auto* const number = std::get_if<NumberShape>(&shape)) return number;
+  if (const auto* const bound = std::get_if<BoundShape>(&shape)) return number_in(*bound->value);
+  if (const auto* const choice = std::get_if<FormsShape>(&shape)) {
+    for (const ValueShape& form : choice->forms) {
+      if (const NumberShape* const number = number_in(form)) return number;
+    }
+  }
+  return nullptr;
+}
+
+/// "a number from 0 to 2", "a whole number (at least 1)".
+Phrase permitted_numbers(const NumberShape& shape) {
+  const auto limit = [](double number) { return number_of_file(digits(number)); };
+  if (shape.minimum && shape.maximum) {
+    return (shape.is_whole ? phrase("Protocols", "a whole number from %1 to %2")
+                           : phrase("Protocols", "a number from %1 to %2"))
+        .with(limit(*shape.minimum), limit(*shape.maximum));
+  }
+  std::vector<Phrase> limits{};
+  const auto add = [&](const std::optional<double>& number, const Phrase& sentence) {
+    if (number) limits.push_back(sentence.with(limit(*number)));
+  };
+  add(shape.minimum, phrase("Protocols", "at least %1"));
+  add(shape.above, phrase("Protocols", "greater than %1"));
+  add(shape.maximum, phrase("Protocols", "at most %1"));
+  add(shape.below, phrase("Protocols", "less than %1"));
+  const Phrase number = type_text(shape.is_whole ? "integer" : "number");
+  return limits.empty() ? number
+                        : phrase("Protocols", "%1 (%2)").with(number, joined_by_and(limits));
+}
+
+/// "a number or text in quotation marks": the types of the shape, with the limits of `number` if it is not null.
+Phrase permitted_values(const ValueShape& shape, const NumberShape* number) {
+  Phrase text{};
+  for (const std::string& type : types_of(shape)) {
+    const bool has_limits = number != nullptr && (type == "number" || type == "integer");
+    const Phrase one = has_limits ? permitted_numbers(*number) : type_text(type);
+    text = text.empty() ? one : phrase("Protocols", "%1 or %2").with(text, one);
+  }
+  return text;
 }
 
 }  // namespace
@@ -55,15 +95,6 @@ Phrase quoted_value(const json& value) {
       break;
   }
   return value.dump();
-}
-
-Phrase types_text(const std::vector<std::string>& types) {
-  Phrase text{};
-  for (const std::string& type : types) {
-    text = text.empty() ? type_text(type)
-                        : phrase("Protocols", "%1 or %2").with(text, type_text(type));
-  }
-  return text;
 }
 
 Phrase with_meaning(const Phrase& problem, std::string_view meaning) {
@@ -122,13 +153,15 @@ Phrase not_a_name(const std::string& key) {
       .with(in_quotes(key));
 }
 
-Phrase wrong_type(const json& value, const std::vector<std::string>& types,
-                  std::string_view meaning) {
-  const bool is_number = has_number(types) && is_quoted_number(value);
+Phrase wrong_type(const json& value, const ValueShape& shape, std::string_view meaning) {
+  const NumberShape* const number = number_in(shape);
+  const bool is_quoted = number != nullptr && is_quoted_number(value);
   const Phrase sentence =
-      is_number ? phrase("Protocols", "%1 is not permitted here: write %2, without quotation marks")
+      is_quoted ? phrase("Protocols", "%1 is not permitted here: write %2, without quotation marks")
                 : phrase("Protocols", "%1 is not permitted here: write %2");
-  return with_meaning(sentence.with(quoted_value(value), types_text(types)), meaning);
+  return with_meaning(
+      sentence.with(quoted_value(value), permitted_values(shape, is_quoted ? nullptr : number)),
+      meaning);
 }
 
 Phrase wrong_word(const json& value, const std::vector<std::string>& words) {

@@ -16,9 +16,6 @@ namespace asperity {
 /// A value as an error quotes it: a text in quotation marks, "an object {…}", "a list […]".
 Phrase quoted_value(const nlohmann::json& value);
 
-/// "a number or text in quotation marks", for types as the schema names them.
-Phrase types_text(const std::vector<std::string>& types);
-
 /// "PROBLEM. Expected here: MEANING"; the problem alone without a meaning.
 Phrase with_meaning(const Phrase& problem, std::string_view meaning);
 
@@ -28,8 +25,9 @@ Phrase missing_key(std::string_view key, std::string_view meaning);
 /// Of a key whose condition on the object, or on one around it, does not hold.
 Phrase inapplicable_key(const KeyCondition& unmet);
 Phrase not_a_name(const std::string& key);
-Phrase wrong_type(const nlohmann::json& value, const std::vector<std::string>& types,
-                  std::string_view meaning);
+/// `value` has none of the types of the shape. Of a number the sentence states the limits, but not where only quotation marks are
+/// wrong.
+Phrase wrong_type(const nlohmann::json& value, const ValueShape& shape, std::string_view meaning);
 Phrase wrong_word(const nlohmann::json& value, const std::vector<std::string>& words);
 /// `value` is a number outside the limits of the shape.
 Phrase wrong_number(const nlohmann::json& value, const NumberShape& shape,

@@ -47,7 +47,7 @@ class Walk final {
     // A word is named with all others, so that the sentence about its type would be a second one.
     const bool is_word = std::holds_alternative<WordShape>(shape);
     if (!is_word && shape_of(shape, value) == nullptr) {
-      return refused(place, wrong_type(value, types_of(shape), meaning));
+      return refused(place, wrong_type(value, shape, meaning));
     }
     return std::visit([&](const auto& one) { return part_of(one, place); }, shape);
   }

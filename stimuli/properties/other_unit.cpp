@@ -65,6 +65,10 @@ double value_of(double number, const OtherUnit& unit) {
 
 }  // namespace
 
+Phrase number_of_file(std::string_view number) {
+  return {kNumbersOfFile, std::string(number).c_str()};
+}
+
 Phrase meant_in_other_unit(double number, std::string_view unit,
                            const std::function<bool(double)>& is_permitted) {
   constexpr double kManyOfThem = 100.0;  // from which on a smaller unit is as likely: 500 µm

@@ -19,8 +19,9 @@ namespace asperity {
 namespace {
 
 Phrase with_unit(const Parameter& parameter, double number) {
-  if (parameter.unit == "1" || parameter.unit.empty()) return number_text(number);
-  return Phrase("%1 %2").with(number_text(number), parameter.unit);
+  const Phrase shown = number_of_file(number_text(number));
+  if (parameter.unit == "1" || parameter.unit.empty()) return shown;
+  return Phrase("%1%2").with(shown, Phrase(kUnitOfNumber, (' ' + parameter.unit).c_str()));
 }
 
 std::optional<Phrase> problem_of_choice(const Parameter& parameter, const ParameterValue& value) {
@@ -77,11 +78,11 @@ std::optional<Phrase> problem_of_value(const Parameter& parameter, const Paramet
       (parameter.kind != ParameterKind::integer || *number == std::floor(*number))) {
     return std::nullopt;
   }
-  const Phrase right =
-      (parameter.kind == ParameterKind::integer
-           ? phrase("Protocols", "a whole number from %1 to %2")
-           : phrase("Protocols", "a number from %1 to %2"))
-          .with(number_text(parameter.minimum), with_unit(parameter, parameter.maximum));
+  const Phrase right = (parameter.kind == ParameterKind::integer
+                            ? phrase("Protocols", "a whole number from %1 to %2")
+                            : phrase("Protocols", "a number from %1 to %2"))
+                           .with(number_of_file(number_text(parameter.minimum)),
+                                 with_unit(parameter, parameter.maximum));
   if (number == nullptr) {
     const std::string& text = std::get<std::string>(value);
     double quoted = 0.0;

@@ -72,6 +72,9 @@ TEST(KeyShapes, OfNumbersHaveLimits) {
   EXPECT_THAT(examined(kOpen, "0.5").first, IsEmpty());
   EXPECT_THAT(examined(kOpen, "0").first, ElementsAre(HasSubstr("greater than 0")));
   EXPECT_THAT(examined(kOpen, "1").first, ElementsAre(HasSubstr("less than 1")));
+  EXPECT_THAT(examined(kExtent, R"("wide")").first,
+              ElementsAre("/v: \"wide\" is not permitted here: write a number (greater than 0 and "
+                          "at most 2). Expected here: A value."));
 }
 
 TEST(KeyShapes, OfNumbersHaveAUnitForDisplay) {

@@ -12,6 +12,7 @@
 #include <QtCore/QStringList>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/typed_number.h"
 #include "app/gui/look/words.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/diagnostic.h"
@@ -68,9 +69,8 @@ std::string number_in_form(const std::optional<NumberShape>& shape, const std::s
                            const Phrase::LookUp& windows) {
   if (!shape) return windows(nullptr, in_file.c_str());
   const std::string shown = displayed_number(*shape, in_file).value_or(in_file);
-  const std::string_view unit =
-      shape->display.unit.empty() ? shape->unit : std::string_view(shape->display.unit);
-  return windows(nullptr, shown.c_str()) + (unit.empty() ? "" : ' ' + std::string(unit));
+  const std::string unit = shown_unit(*shape).toStdString();
+  return windows(nullptr, shown.c_str()) + (unit.empty() ? "" : ' ' + unit);
 }
 
 /// Only English sentences have the words of the file; translations have those of the form.
@@ -108,7 +108,8 @@ QString place_in_form(const nlohmann::json& protocol, const std::string& pointer
   return text_of_keys(form_page_of(pointer).label) + kOfPath + path_in_form(protocol, pointer);
 }
 
-QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
+QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark,
+                         const std::optional<NumberShape>& parameter) {
   std::vector<const KeyTable*> tables{&kProtocolTable};  // of the objects around the value
   for (const PathPart& part : path_of(protocol, remark.pointer)) {
     const bool is_known = tables.back() == nullptr || part.is_label;
@@ -116,13 +117,15 @@ QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remar
     tables.push_back(part.table);
   }
   if (tables.size() == 1) return words_of(remark.message);  // about the whole text
-  const std::optional<NumberShape> number = number_at(protocol, remark.pointer);
+  const std::optional<NumberShape> number =
+      parameter ? parameter : number_at(protocol, remark.pointer);
   const Phrase::LookUp look_up = [&protocol, &tables, &number, windows = words_of_windows()](
                                      const char* context, const char* words) {
     if (context == nullptr) return windows(context, words);
     const std::string_view of(context);
     if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
     if (of == kNumbersOfFile) return number_in_form(number, words, windows);
+    if (of == kUnitOfNumber) return number ? std::string() : std::string(words);
     const bool has_other_unit = number && !number->display.unit.empty();
     if (of == kUnitsOfFile && has_other_unit) return std::string();
     if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();

@@ -2,11 +2,14 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include <QtCore/QString>
 #include <nlohmann/json_fwd.hpp>
+
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 
@@ -22,8 +25,10 @@ QString path_in_form(const nlohmann::json& protocol, const std::string& pointer)
 /// The same after the page of the form, and empty for the whole protocol. Any thread.
 QString place_in_form(const nlohmann::json& protocol, const std::string& pointer);
 /// The sentence of a problem or a warning, with the labels of keys in place of their names. That about a value that the form does not
-/// know stays in the words of the file. Any thread.
-QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
+/// know stays in the words of the file. Numbers are in the unit of the form: that of `parameter` where the value is a parameter of a
+/// force model, whose declaration is not in the protocol. Any thread.
+QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark,
+                         const std::optional<NumberShape>& parameter = {});
 /// The same after its place in the form; without a place alone. In a text that cannot be read as JSON (a discarded value) no
 /// place is known, and the line precedes the sentence. Any thread.
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark);

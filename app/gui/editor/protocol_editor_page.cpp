@@ -518,11 +518,8 @@ void ProtocolEditorPage::list_problems() {
   std::vector<StudyTable::Row> rows{};
   const auto protocol = nlohmann::json::parse(edit_->text().toStdString(), nullptr, false);
   const auto add = [&](const Diagnostic& remark, const QString& form) {
-    const QString sentence =
-        form.arg(is_form ? sentence_in_form(protocol, remark)
-                         : text(remark.message.translated(language_of_windows())));
     rows.push_back({QString::number(rows.size()),
-                    {number_cell(remark.line), text_cell(sentence),
+                    {number_cell(remark.line), text_cell(form.arg(views_->sentence_of(remark))),
                      text_cell(place_in_form(protocol, remark.pointer))}});
   };
   for (const Diagnostic& problem : found_problems_) add(problem, "%1");

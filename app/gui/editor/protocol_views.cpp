@@ -191,6 +191,11 @@ void ProtocolViews::show_problems(const std::vector<Diagnostic>& problems,
   form_->show_problems(problems, warnings);
 }
 
+QString ProtocolViews::sentence_of(const Diagnostic& remark) const {
+  return view() == View::form ? form_->sentence_of(remark)
+                              : asperity::text(remark.message.translated(language_of_windows()));
+}
+
 void ProtocolViews::go_to_problem(std::size_t index) {
   const auto& underlined = edit_->underlined();
   if (index >= places_.size() || static_cast<qsizetype>(index) >= underlined.size()) return;

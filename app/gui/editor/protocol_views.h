@@ -42,6 +42,8 @@ class ProtocolViews final : public QWidget {
   bool commit();
   void show_problems(const std::vector<Diagnostic>& problems,
                      const std::vector<Diagnostic>& warnings);
+  /// The sentence of one of them in the words of the view that is shown.
+  QString sentence_of(const Diagnostic& remark) const;
   /// The place of a problem, in the view that is shown.
   void go_to_problem(std::size_t index);
   void find();

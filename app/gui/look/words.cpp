@@ -14,7 +14,7 @@
 #include <QtGui/QFontMetrics>
 #include <QtGui/QTextDocument>
 
-#include "protocols/design/wording.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 

@@ -50,6 +50,17 @@ TEST_F(WordsOfForm, ShowNumbersInTheUnitOfTheForm) {
               testing::StartsWith("-2500 mm ist zu klein: Der Wert muss mindestens 0 mm sein. "));
 }
 
+TEST_F(WordsOfForm, StateThePermittedNumbersForAText) {
+  EXPECT_THAT(problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"wide\""),
+                         "/surface/edge_width_m"),
+              testing::StartsWith("\"wide\" is not permitted here: write a number from 0 mm to "));
+  EXPECT_THAT(
+      problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"0.005\""),
+                 "/surface/edge_width_m"),
+      testing::StartsWith(
+          "\"0.005\" is not permitted here: write a number, without quotation marks. Expected"));
+}
+
 TEST_F(WordsOfForm, LeaveOutTheUnitsOfTheFile) {
   const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": 5");
   const std::string sentence = problem_at(text, "/surface/edge_width_m");

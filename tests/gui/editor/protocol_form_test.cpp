@@ -29,6 +29,7 @@
 #include "app/gui/editor/protocol_views.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/library_protocols.h"
+#include "protocols/file/protocol_problems.h"
 #include "protocols/form/form_pages.h"
 #include "tests/gui/editor/form_of_protocol.h"
 #include "tests/gui/editor/library_text.h"
@@ -571,27 +572,29 @@ TEST_F(FormOfProtocol, ShowsAProblemNextToItsField) {
 }
 
 TEST_F(FormOfProtocol, StatesThePermittedNumbersInTheUnitOfTheForm) {
-  open(library_text("amplitude_jnd"));
   const auto problem_after = [this](const std::string& pointer) {
+    open(library_text("amplitude_jnd"));
     type_into(pointer, "abc");
-    Diagnostic problem{};
-    problem.pointer = pointer;
-    problem.message = "not permitted";
-    views_.show_problems({problem}, {});
+    const ProtocolReading reading =
+        read_protocol_with_problems(text(), "p.json", declarations_of(built_in_models()));
+    const auto problem = std::ranges::find(reading.problems, pointer, &Diagnostic::pointer);
+    if (problem == reading.problems.end()) return "no problem at " + pointer;
+    views_.show_problems({*problem}, {});
     QString shown{};
     for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
       if (label->isVisible()) shown += label->text();
     }
-    return shown.toStdString();
+    EXPECT_EQ(shown, "✕ " + views_.sentence_of(*problem)) << "as in the list";
+    return shown.section(". Expected", 0, 0).toStdString();
   };
   EXPECT_EQ(problem_after("/material/friction"),
-            "✕ “abc” is not a number; enter a number from 0 to 2");
+            "✕ \"abc\" is not permitted here: write a number from 0 to 2");
   EXPECT_EQ(problem_after("/stimuli/grating/parameters/amplitude_m"),
-            "✕ “abc” is not a number; enter a number from 0 to 5000 µm");
+            "✕ amplitude_m is \"abc\"; it must be a number from 0 µm to 5000 µm");
   EXPECT_EQ(problem_after("/resume/practice_trials"),
-            "✕ “abc” is not a number; enter a whole number from 1 to 100");
+            "✕ \"abc\" is not permitted here: write a whole number from 1 to 100");
   EXPECT_EQ(problem_after("/explorations/stroking/stroke_length_m/target"),
-            "✕ “abc” is not a number; enter a number (at least 0 mm)");
+            "✕ \"abc\" is not permitted here: write a number (at least 0 mm)");
 }
 
 TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {

@@ -15,7 +15,6 @@
 #include "app/gui/editor/form/typed_fields.h"
 #include "app/gui/look/words.h"
 #include "protocols/form/form_entries.h"
-#include "protocols/keys/tables.h"
 
 namespace asperity {
 
@@ -197,21 +196,6 @@ NumberShape number_shape(const Parameter& parameter) {
           .is_whole = parameter.kind == ParameterKind::integer,
           .unit = parameter.unit,
           .display = display_unit_of(parameter)};
-}
-
-QString problem_of_number(const FormSource& source, const std::string& pointer) {
-  const nlohmann::json* const value = source.find(pointer);
-  if (value == nullptr || !value->is_string()) return {};
-  const QString typed = text(value->get<std::string>());
-  if (const Parameter* const parameter = source.parameter_at(pointer)) {
-    const bool is_number = parameter->kind != ParameterKind::choice;
-    return is_number ? NumbersField::problem_of(number_shape(*parameter), typed) : QString();
-  }
-  const auto shape = shape_at(kProtocolTable, source.document().root(), pointer);
-  const ValueShape* const of_field = shape ? shape_of_field(*shape, *value) : nullptr;
-  const auto* const number = of_field == nullptr ? nullptr : std::get_if<NumberShape>(of_field);
-  return number == nullptr ? QString()
-                           : NumbersField::problem_of(displayed_shape(*number, pointer), typed);
 }
 
 FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,

@@ -28,9 +28,6 @@ QString shown_word(const KeyWord& word);
 /// The numbers that a parameter of a force model can have.
 NumberShape number_shape(const Parameter& parameter);
 
-/// The problem of a text in the place of a number, with the numbers that are permitted; empty for another value.
-QString problem_of_number(const FormSource& source, const std::string& pointer);
-
 /// A field for the shape, for which `has_field` is true.
 FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,
                      const std::string& pointer, QWidget* parent);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -418,17 +419,21 @@ void ProtocolForm::order_for_keyboard() {
   }
 }
 
+QString ProtocolForm::sentence_of(const Diagnostic& remark) const {
+  if (context_.source == nullptr) return words_of(remark.message);
+  const Parameter* const parameter = context_.source->parameter_at(remark.pointer);
+  const bool is_number = parameter != nullptr && parameter->kind != ParameterKind::choice;
+  return sentence_in_form(context_.source->document().root(), remark,
+                          is_number ? std::optional(number_shape(*parameter)) : std::nullopt);
+}
+
 void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
                                  const std::vector<Diagnostic>& warnings) {
   context_.problems.clear();
   const auto add = [this](State state, const std::vector<Diagnostic>& remarks) {
     for (const Diagnostic& remark : remarks) {
       if (context_.source == nullptr) break;
-      const QString of_number =
-          state == State::stop ? problem_of_number(*context_.source, remark.pointer) : QString();
-      context_.problems[remark.pointer].push_back(
-          {state, of_number.isEmpty() ? sentence_in_form(context_.source->document().root(), remark)
-                                      : of_number});
+      context_.problems[remark.pointer].push_back({state, sentence_of(remark)});
     }
   };
   add(State::stop, problems);

@@ -44,6 +44,9 @@ class ProtocolForm final : public QWidget {
   void show_problems(const std::vector<Diagnostic>& problems,
                      const std::vector<Diagnostic>& warnings);
 
+  /// The sentence of a problem or a warning, as its field shows it.
+  QString sentence_of(const Diagnostic& remark) const;
+
   /// The values that are found with these words, of all pages: see `form_search.h`.
   std::vector<std::string> places_with(const QString& words) const;
 

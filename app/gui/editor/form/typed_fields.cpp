@@ -159,25 +159,6 @@ NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count
   set_unit(shown_unit(shape));
 }
 
-QString NumbersField::problem_of(const NumberShape& shape, const QString& typed) {
-  const QString what = shape.is_whole ? tr("a whole number") : tr("a number");
-  const auto shown = [&shape](double limit) { return shown_in_unit(shape, number_text(limit)); };
-  const auto with_unit = [&](double limit) {
-    return (shown(limit) + " " + shown_unit(shape)).trimmed();
-  };
-  if (shape.minimum && shape.maximum) {
-    return tr("“%1” is not a number; enter %2 from %3 to %4")
-        .arg(typed, what, shown(*shape.minimum), with_unit(*shape.maximum));
-  }
-  QStringList limits{};
-  if (shape.minimum) limits += tr("at least %1").arg(with_unit(*shape.minimum));
-  if (shape.above) limits += tr("greater than %1").arg(with_unit(*shape.above));
-  if (shape.maximum) limits += tr("at most %1").arg(with_unit(*shape.maximum));
-  if (shape.below) limits += tr("less than %1").arg(with_unit(*shape.below));
-  const QString sentence = tr("“%1” is not a number; enter %2").arg(typed, what);
-  return limits.isEmpty() ? sentence : sentence + " (" + limits.join(", ") + ")";
-}
-
 QString NumbersField::shown(std::string_view characters) const {
   const auto present = nlohmann::json::parse(characters);
   if (present.is_string()) return text(present.get<std::string>());

@@ -44,8 +44,6 @@ class NumbersField final : public LineField {
   enum class Count { one, list };
   NumbersField(FormContext& context, const NumberShape& shape, Count count, const FieldOf& of,
                const std::string& pointer, QWidget* parent);
-  /// That something else was typed in place of a number, and which numbers are permitted.
-  static QString problem_of(const NumberShape& shape, const QString& typed);
 
  private:
   QString shown(std::string_view characters) const override;
