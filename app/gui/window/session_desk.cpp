@@ -67,8 +67,8 @@ QString introduction_of(const Protocol& protocol) {
 
 /// Whether this reason of the end is the last trial or the wish of who tries the protocol.
 bool was_wanted(const Phrase& reason) {
-  constexpr std::array kWanted{Reason::as_asked_after_trial, Reason::as_asked_after_block,
-                               Reason::stopped_as_asked};
+  constexpr std::array kWanted{Reason::as_asked, Reason::as_asked_after_trial,
+                               Reason::as_asked_after_block, Reason::stopped_as_asked};
   return std::ranges::any_of(kWanted,
                              [&](Reason each) { return reason.code() == phrase_of(each).code(); });
 }
