@@ -1,6 +1,9 @@
 // The windows in another language: chosen in the menu, shown on the pages, with its own plurals.
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <string>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
@@ -27,6 +30,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/session/session_dialogs.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/window/session_desk.h"
@@ -243,6 +247,98 @@ TEST_F(Languages, KeepUnsavedChangesOfAProtocolAndTheirUndo) {
   apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
+/// What the banner of a page states; empty without one.
+QString news_of(const QWidget& page) {
+  for (const Banner* const each : page.findChildren<Banner*>()) {
+    if (each->isVisible()) return each->text();
+  }
+  return {};
+}
+
+/// A protocol in the text view of an editor that is made anew for another theme.
+class HandedOver : public Languages {
+ protected:
+  ~HandedOver() override { apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light); }
+
+  void open(const std::string& content) {
+    const std::filesystem::path folder = small_demo_study();
+    file_ = folder / "protocols" / "improved_recognition.json";
+    write_file(file_, content, Overwrite::refuse);
+    window_.show();
+    ASSERT_TRUE(window_.open_study(folder));
+    window_.show_page("editor");
+    editor().open(file_);
+    child<QPushButton>(editor(), "editor_to_text").click();
+    ASSERT_TRUE(eventually([&] { return editor().is_checked(); }));
+  }
+  /// `meanwhile` is done before the new page is there.
+  void hand_over(
+      const QString& theme, const std::function<void()>& meanwhile = [] {}) {
+    const QPointer<ProtocolEditorPage> before(&editor());
+    choose(window_, theme);
+    meanwhile();
+    ASSERT_TRUE(eventually([&] { return before.isNull(); }));
+    EXPECT_EQ(window_.shown_page(), "editor");
+    ASSERT_TRUE(eventually([&] { return editor().is_checked(); }));
+  }
+  ProtocolEditorPage& editor() { return *static_cast<ProtocolEditorPage*>(window_.page("editor")); }
+  ProtocolTextEdit& edit() { return child<ProtocolTextEdit>(editor(), "editor_text"); }
+
+  std::filesystem::path file_{};
+  StudyWindow window_{};
+};
+
+TEST_F(HandedOver, IsUnderlinedAtTheSamePlaces) {
+  open(replaced(library_text("improved_recognition"), R"("friction": 0.2)", R"("friction": "x")"));
+  const auto underlined = [this] {
+    QStringList words{};
+    for (const QTextEdit::ExtraSelection& mark : edit().underlined()) {
+      EXPECT_EQ(mark.cursor.document(), edit().document());
+      words.append(mark.cursor.selectedText());
+    }
+    return words;
+  };
+  const QStringList before = underlined();
+  ASSERT_FALSE(before.isEmpty());
+  hand_over("&Dark");
+  EXPECT_EQ(underlined(), before);
+  QTest::keyClicks(&edit(), " ");
+  EXPECT_TRUE(editor().has_unsaved_changes());
+}
+
+TEST_F(HandedOver, StaysReadOnlyWhereItCannotBeGivenBack) {
+  std::string content = library_text("improved_recognition");
+  content.replace(content.find('\n'), 1, "\r\n");  // only the first one
+  open(content);
+  ASSERT_TRUE(edit().isReadOnly());
+  const QString why = news_of(editor());
+  EXPECT_FALSE(why.isEmpty());
+  hand_over("&Dark");
+  EXPECT_TRUE(edit().isReadOnly());
+  EXPECT_EQ(news_of(editor()), why);
+  EXPECT_FALSE(editor().has_unsaved_changes());
+  EXPECT_FALSE(child<QPushButton>(editor(), "editor_save").isEnabled());
+  EXPECT_EQ(read_file(file_), content);
+}
+
+TEST_F(HandedOver, IsComparedWithAFileThatWasChangedMeanwhile) {
+  const std::string content = library_text("improved_recognition");
+  open(content);
+  hand_over("&Dark", [&] { write_file(file_, content + " ", Overwrite::allow); });
+  EXPECT_EQ(editor().content(), content + " ");
+  EXPECT_TRUE(news_of(editor()).contains("changed outside the editor"));
+  EXPECT_FALSE(editor().has_unsaved_changes());
+  QTest::keyClicks(&edit(), " ");
+  const std::string mine = editor().content();
+  hand_over("&Light", [&] { write_file(file_, content + "\n", Overwrite::allow); });
+  EXPECT_TRUE(child<QuestionBar>(editor(), "editor_question").isVisible());
+  EXPECT_EQ(editor().content(), mine);
+  EXPECT_TRUE(editor().has_unsaved_changes());
+  child<QPushButton>(editor(), "editor_take_theirs").click();
+  EXPECT_EQ(editor().content(), content + "\n");
+  EXPECT_EQ(read_file(file_), content + "\n");
+}
+
 TEST_F(Languages, StayAsTheyAreWhereANameThatWasTypedIsRefused) {
   const std::filesystem::path folder = small_demo_study();
   const std::filesystem::path file = folder / "protocols" / "improved_recognition.json";
@@ -267,8 +363,7 @@ TEST_F(Languages, StayAsTheyAreWhereANameThatWasTypedIsRefused) {
     QTest::qWait(50);  // in which the window would be filled anew
     ASSERT_FALSE(editor.isNull());
     EXPECT_EQ(window.shown_page(), "editor");
-    EXPECT_TRUE(editor->banner().isVisible());
-    EXPECT_TRUE(editor->banner().text().contains("stone"));
+    EXPECT_TRUE(news_of(*editor).contains("stone")) << news_of(*editor).toStdString();
     EXPECT_EQ(window.menuBar()->actions()[1]->text(), "&View");
   }
   EXPECT_NE(language_choice(), "de");
