@@ -57,12 +57,12 @@ std::set<std::string> words_of_files(std::string_view text) {
 /// The text without the names of keys in backticks, of which the form shows the labels.
 std::string without_names(std::string_view text) {
   static const std::map<std::string_view, std::string_view> kLabels = labels_of_keys();
-  static const std::regex kName("`(\\w+)`");
+  static const std::regex kInBackticks("`(\\w+)`");
   const std::string all(text);
-  for (std::sregex_iterator name(all.begin(), all.end(), kName), end; name != end; ++name) {
+  for (std::sregex_iterator name(all.begin(), all.end(), kInBackticks), end; name != end; ++name) {
     EXPECT_TRUE(kLabels.contains(name->str(1))) << all;
   }
-  return std::regex_replace(all, kName, "");
+  return std::regex_replace(all, kInBackticks, "");
 }
 
 /// The form shows labels in place of keys. What remains is typed as it is written here.

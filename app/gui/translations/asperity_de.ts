@@ -7371,10 +7371,6 @@
         <translation>Name der Oberfläche in den Antworten, wenn das Modell (Auswahl) oder die Textur die Oberflächen nicht unterscheidet.</translation>
     </message>
     <message>
-        <source>Practice to a criterion: the block ends when the required number of the most recent responses are correct.</source>
-        <translation>Übung bis zu einem Kriterium: Der Block endet, wenn die verlangte Anzahl der letzten Antworten richtig ist.</translation>
-    </message>
-    <message>
         <source>Irrelevant quantities that vary at random between presentations: each presentation has one of the levels.</source>
         <translation>Irrelevante Größen, die sich zwischen Darbietungen zufällig ändern: Jede Darbietung hat eine der Stufen.</translation>
     </message>
@@ -7939,10 +7935,6 @@
         <translation>Abstände</translation>
     </message>
     <message>
-        <source>The factor whose levels are spacings: numbers in metres, or textures with a stated spacing. It is stated instead of the factor of other stimuli.</source>
-        <translation>Der Faktor, dessen Stufen Abstände sind: Zahlen in Metern oder Texturen mit einem angegebenen Abstand. Er wird anstelle des Faktors anderer Reize angegeben.</translation>
-    </message>
-    <message>
         <source>The factor whose levels are the estimated stimuli, whatever they are, or the parameter that the blocks vary. Each level is an item of the responses.</source>
         <translation>Der Faktor, dessen Stufen die geschätzten Reize sind, gleich welcher Art, oder der Parameter, den die Blöcke variieren. Jede Stufe ist ein Item der Antworten.</translation>
     </message>
@@ -7961,10 +7953,6 @@
     <message>
         <source>Values</source>
         <translation>Werte</translation>
-    </message>
-    <message>
-        <source>With stated values as the predictor: the value of each level, above 0. A level that is a number can be written in any notation.</source>
-        <translation>Mit angegebenen Werten als Prädiktor: der Wert jeder Stufe, über 0. Eine Stufe, die eine Zahl ist, kann in beliebiger Schreibweise stehen.</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -9435,10 +9423,6 @@
         <translation>Eine Skala, auf der die Antwort ein Punkt ist: mit beschrifteten Punkten (Likert), mit beschrifteten Enden (semantisches Differenzial) oder eine Linie ohne Punkte (visuelle Analogskala).</translation>
     </message>
     <message>
-        <source>The answer to an earlier question of the questionnaire on which a question or a screen depends. Exactly one of an answer, several possible answers, an answer among those chosen, or a range.</source>
-        <translation>Die Antwort auf eine frühere Frage des Fragebogens, von der eine Frage oder ein Text abhängt. Genau eines von einer Antwort, mehreren möglichen Antworten, einer Antwort unter den gewählten oder einem Bereich.</translation>
-    </message>
-    <message>
         <source>Record every tick</source>
         <translation>Jeden Takt aufzeichnen</translation>
     </message>
@@ -9715,10 +9699,6 @@
         <translation>Weitere Dateien</translation>
     </message>
     <message>
-        <source>Further files that force models need: role → file, relative to the study. The models declare the roles (see `asperity models`): `recording` of the model `recorded`, `vibration_models` of `data_driven`.</source>
-        <translation>Weitere Dateien, die Kraftmodelle benötigen: Rolle → Datei, relativ zur Studie. Die Modelle legen die Rollen fest (siehe `asperity models`): `recording` beim Modell `recorded`, `vibration_models` bei `data_driven`.</translation>
-    </message>
-    <message>
         <source>Spacing</source>
         <translation>Abstand</translation>
     </message>
@@ -9991,10 +9971,6 @@
         <translation>Die Frage, die der Durchgang früher stellt.</translation>
     </message>
     <message>
-        <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of an answer, several possible answers, an answer among those chosen, or a range.</source>
-        <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von einer Antwort, mehreren möglichen Antworten, einer Antwort unter den gewählten oder einem Bereich.</translation>
-    </message>
-    <message>
         <source>the length of a line</source>
         <translation>die Länge einer Linie</translation>
     </message>
@@ -10109,6 +10085,30 @@
     <message>
         <source>A force model with its values on a texture.</source>
         <translation>Ein Kraftmodell mit seinen Werten auf einer Textur.</translation>
+    </message>
+    <message>
+        <source>Practice to a criterion: the block ends when at least `correct` of the last `of_last` responses are correct.</source>
+        <translation>Übung bis zu einem Kriterium: Der Block endet, wenn von den letzten Antworten, deren Anzahl `of_last` angibt, mindestens so viele richtig sind, wie `correct` angibt.</translation>
+    </message>
+    <message>
+        <source>The answer to an earlier question of the questionnaire on which a question or a screen depends. Exactly one of `is`, `in`, `includes`, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage des Fragebogens, von der eine Frage oder ein Text abhängt. Genau eines von `is`, `in`, `includes` oder einem Bereich.</translation>
+    </message>
+    <message>
+        <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of `is`, `in`, `includes`, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von `is`, `in`, `includes` oder einem Bereich.</translation>
+    </message>
+    <message>
+        <source>Further files that force models need: role → file, relative to the study. The models declare the roles (see `asperity models`): &quot;recording&quot; of the model &quot;recorded&quot;, &quot;vibration_models&quot; of &quot;data_driven&quot;.</source>
+        <translation>Weitere Dateien, die Kraftmodelle benötigen: Rolle → Datei, relativ zur Studie. Die Modelle legen die Rollen fest (siehe `asperity models`): &quot;recording&quot; beim Modell &quot;recorded&quot;, &quot;vibration_models&quot; bei &quot;data_driven&quot;.</translation>
+    </message>
+    <message>
+        <source>The factor whose levels are spacings: numbers in metres, or textures with a stated spacing. Either `spacing` or `factor`.</source>
+        <translation>Der Faktor, dessen Stufen Abstände sind: Zahlen in Metern oder Texturen mit einem angegebenen Abstand. Entweder `spacing` oder `factor`.</translation>
+    </message>
+    <message>
+        <source>With stated values as the predictor: the value of each level, above 0. In the file the levels are in quotation marks, numbers among them in any notation.</source>
+        <translation>Mit angegebenen Werten als Prädiktor: der Wert jeder Stufe, über 0. In der Datei stehen die Stufen in Anführungszeichen, Zahlen unter ihnen in beliebiger Schreibweise.</translation>
     </message>
 </context>
 <context>
@@ -14363,10 +14363,6 @@
         <translation>kein Reiz, keine Stufe, keine Frage und kein Körper verwendet die Textur %1; sie verwenden oder entfernen</translation>
     </message>
     <message>
-        <source>the listed trials %1 and %2 have the same levels, so that this trial is presented twice; change a level, or remove one of them and state the number of its repetitions</source>
-        <translation>die aufgeführten Durchgänge %1 und %2 haben dieselben Stufen, sodass dieser Durchgang zweimal dargeboten wird; eine Stufe ändern, oder einen von beiden entfernen und die Zahl seiner Wiederholungen angeben</translation>
-    </message>
-    <message>
         <source>under %1 N the tip sinks in by %2 mm, %3 times the contact radius of %4 mm; elastic_halfspace assumes small strains, at most %5 times: raise youngs_modulus_Pa or tip_radius_m, or request less force</source>
         <translation>unter %1 N sinkt die Spitze um %2 mm ein, das %3-Fache des Kontaktradius von %4 mm; elastic_halfspace setzt kleine Dehnungen voraus, höchstens das %5-Fache: youngs_modulus_Pa oder tip_radius_m vergrößern oder weniger Kraft verlangen</translation>
     </message>
@@ -14389,6 +14385,30 @@
     <message>
         <source>this main block does not set the condition %1: run the block %2 level of the condition</source>
         <translation>dieser Hauptblock legt die Bedingung %1 nicht fest: den Block mit %2 einmal je Stufe der Bedingung ablaufen lassen</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>kleiner als %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>the listed trials %1 have the same levels, so that this trial is presented more often than the others; change a level, or remove all but one of them and state the number of its repetitions</source>
+        <translation>die aufgeführten Durchgänge %1 haben dieselben Stufen, sodass dieser Durchgang häufiger als die anderen dargeboten wird; eine Stufe ändern, oder alle bis auf einen von ihnen entfernen und die Zahl seiner Wiederholungen angeben</translation>
     </message>
 </context>
 <context>
@@ -19295,6 +19315,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The study will be created in %1.</source>
         <translation>Die Studie wird in %1 angelegt.</translation>
     </message>
+    <message>
+        <source>%1 already exists and cannot be read, so that it is unknown whether it is empty. Choose another name or another parent folder.</source>
+        <translation>%1 existiert bereits und kann nicht gelesen werden, sodass unbekannt ist, ob der Ordner leer ist. Einen anderen Namen oder einen anderen übergeordneten Ordner wählen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::NoiseCheck</name>
@@ -19428,41 +19452,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Note</source>
         <translation>Notiz</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::NumbersField</name>
-    <message>
-        <source>a whole number</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number; enter %2 from %3 to %4</source>
-        <translation>„%1“ ist keine Zahl; geben Sie %2 von %3 bis %4 ein</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>greater than %1</source>
-        <translation>größer als %1</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>less than %1</source>
-        <translation>kleiner als %1</translation>
-    </message>
-    <message>
-        <source>“%1” is not a number; enter %2</source>
-        <translation>„%1“ ist keine Zahl; geben Sie %2 ein</translation>
     </message>
 </context>
 <context>
