@@ -7,6 +7,7 @@
 
 #include <QtCore/QScopedValueRollback>
 #include <QtGui/QShortcut>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QVBoxLayout>
@@ -69,6 +70,11 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
     if (view() == View::form) form_->show_text(edit_->text().toStdString());
     find_->refresh();
   });
+  // What is typed in a field is one step until the field is left or the text is saved.
+  connect(qApp, &QApplication::focusChanged, this, [this] { step_.clear(); });
+  connect(edit_, &QPlainTextEdit::modificationChanged, this, [this](bool is_modified) {
+    if (!is_modified) step_.clear();
+  });
   connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &ProtocolViews::show_help);
   for (const auto key : {QKeySequence::Undo, QKeySequence::Redo}) {
     auto* shortcut = new QShortcut(QKeySequence(key), form_);
@@ -84,6 +90,9 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
   add_finding(Qt::Key_F3, FindBar::Direction::forwards);
   add_finding(Qt::SHIFT | Qt::Key_F3, FindBar::Direction::backwards);
 }
+
+// A field with the focus, which is deleted after the members, changes the focus.
+ProtocolViews::~ProtocolViews() { disconnect(qApp, nullptr, this, nullptr); }
 
 /// The buttons of both views.
 QWidget* ProtocolViews::make_switch() {

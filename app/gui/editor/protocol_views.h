@@ -29,6 +29,7 @@ class ProtocolViews final : public QWidget {
   enum class View { form, text };
 
   explicit ProtocolViews(std::vector<ModelDeclaration> models, QWidget* parent = nullptr);
+  ~ProtocolViews() override;
 
   void set_view(View view);
   View view() const;

@@ -117,6 +117,11 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       [this](const std::vector<InterruptedSession>& sessions) { show_interrupted(sessions); });
 }
 
+void ProtocolsPage::select_file(const QString& file) {
+  table_->select(file);
+  if (table_->selected_key() != file) select_next_ = file;
+}
+
 /// The table has the rows that fit into half of the height, and ends below the last of them. It has fewer where the buttons of
 /// the card below it need the room. The selected row stays in sight.
 void ProtocolsPage::share_height() {

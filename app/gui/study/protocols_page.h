@@ -33,6 +33,9 @@ class ProtocolsPage final : public StudyPage {
  public:
   explicit ProtocolsPage(OpenStudy& study, QWidget* parent = nullptr);
 
+  /// Selects the protocol of this file, now or once it is in the list.
+  void select_file(const QString& file);
+
  signals:
   void session_wanted(const asperity::SessionWish& wish);
   void edit_wanted(const QString& file);

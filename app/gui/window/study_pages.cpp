@@ -5,6 +5,7 @@
 #include "app/gui/devices/device_test_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
@@ -26,9 +27,12 @@ void StudyWindow::add_pages() {
   auto* stimuli = new StimuliPage(*study_);
   auto* devices = new DevicesPage(*study_);
   add_page("protocols", tr("Protocols"), protocols);
-  add_page_for_later("editor", {}, [this] {
+  add_page_for_later("editor", {}, [this, protocols] {
     auto* editor = new ProtocolEditorPage(*study_);
-    connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
+    connect(editor, &ProtocolEditorPage::back_wanted, this, [this, protocols, editor] {
+      protocols->select_file(path_text(editor->file()));
+      show_page("protocols");
+    });
     return editor;
   });
   add_page("participants", tr("Participants"), participants);

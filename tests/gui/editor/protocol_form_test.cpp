@@ -65,6 +65,31 @@ TEST_F(FormOfProtocol, WritesANumberInTheUnitOfTheFile) {
                              "\"target\": 0.0655, \"maximum\": 0.08"));
 }
 
+TEST_F(FormOfProtocol, UndoesAlsoWhatWasTypedInAFieldThatWasLeftAndInATextThatWasSaved) {
+  open(library_text("amplitude_jnd"));
+  views_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&views_));
+  const auto friction = [this] { return tree()["material"]["friction"]; };
+  const auto type_at_end = [this](const char* digit) {
+    auto& field = control<QLineEdit>("/material/friction");
+    field.setFocus();
+    field.end(false);
+    QTest::keyClicks(&field, digit);
+  };
+  type_at_end("1");
+  control<QLineEdit>("/title").setFocus();
+  type_at_end("2");
+  EXPECT_EQ(friction(), 0.212);
+  undo();
+  EXPECT_EQ(friction(), 0.21) << "before the field was left";
+  type_at_end("3");
+  views_.text().document()->setModified(false);  // saved
+  type_at_end("4");
+  EXPECT_EQ(friction(), 0.2134);
+  undo();
+  EXPECT_EQ(friction(), 0.213) << "as it was saved";
+}
+
 TEST_F(FormOfProtocol, KeepsWhatIsTypedInPlaceOfANumberAndIsNone) {
   const std::string before = library_text("amplitude_jnd");
   open(before);
@@ -590,7 +615,7 @@ TEST_F(FormOfProtocol, StatesThePermittedNumbersInTheUnitOfTheForm) {
   EXPECT_EQ(problem_after("/material/friction"),
             "✕ \"abc\" is not permitted here: write a number from 0 to 2");
   EXPECT_EQ(problem_after("/stimuli/grating/parameters/amplitude_m"),
-            "✕ amplitude_m is \"abc\"; it must be a number from 0 µm to 5000 µm");
+            "✕ amplitude_m is \"abc\"; it must be a number from 0 µm to 5000 µm.");
   EXPECT_EQ(problem_after("/resume/practice_trials"),
             "✕ \"abc\" is not permitted here: write a whole number from 1 to 100");
   EXPECT_EQ(problem_after("/explorations/stroking/stroke_length_m/target"),

@@ -173,6 +173,12 @@ TEST_F(Languages, KeepWhatIsShownOfAProtocol) {
   choose(window, "English");
   ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
   EXPECT_TRUE(eventually([&] { return child<QWidget>(editor(), "editor_text").isVisible(); }));
+  child<QPushButton>(editor(), "editor_back").click();
+  ASSERT_TRUE(eventually([&] { return window.shown_page() == "protocols"; }));
+  const auto& protocols = child<StudyTable>(window, "protocols_table");
+  EXPECT_TRUE(eventually([&] {
+    return protocols.selected_key().endsWith("improved_recognition.json");
+  })) << protocols.selected_key().toStdString();
 }
 
 TEST_F(Languages, KeepUnsavedChangesOfAProtocolAndTheirUndo) {
