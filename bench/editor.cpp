@@ -136,7 +136,8 @@ class EditorBench final {
   std::string what_is_wrong() const {
     if (!editor_->is_checked()) return ", nor did the check";
     const auto result = editor_->result();
-    return result->diagnostics.empty() ? std::string() : ": " + result->diagnostics.front().message;
+    return result->diagnostics.empty() ? std::string()
+                                       : ": " + result->diagnostics.front().message.english();
   }
   bool is_up_to_date() const {
     return is_planned_ && editor_->is_checked() && editor_->result()->is_valid();
