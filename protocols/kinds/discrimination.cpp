@@ -14,6 +14,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/kinds/discrimination_responses.h"
 #include "protocols/kinds/kind_list.h"
+#include "protocols/kinds/positions.h"
 
 namespace asperity {
 
@@ -245,15 +246,7 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
         checked.pointer + "/presented/" + std::to_string(i) + "/item",
         phrase("Protocols", "in a discrimination the role names each surface; remove this key"));
   }
-  if (checked.block.phase == Phase::main && checked.block.design()->surfaces() > 1 &&
-      checked.block.positions == Block::Positions::as_listed) {
-    problems.report(
-        checked.pointer + "/presented",
-        phrase("Protocols",
-               "the same surface would always be presented first, so that an order effect could "
-               "not be distinguished from a difference; set %1 to %2 or %3")
-            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
-  }
+  if (checked.block.design()->surfaces() > 1) check_positions(checked, problems);
   if (question.allow_cannot_tell && checked.block.design()->has_noise()) {
     problems.report(
         checked.at_question + "/allow_cannot_tell",

@@ -11,6 +11,7 @@
 #include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
 #include "protocols/kinds/kind_list.h"
+#include "protocols/kinds/positions.h"
 #include "protocols/kinds/realism.h"
 
 namespace asperity {
@@ -87,15 +88,7 @@ void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
                            "pairs of the levels of a factor, add %1 and list one surface")
                         .with(key_name("all_pairs")));
   }
-  if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
-      checked.block.positions == Protocol::Block::Positions::as_listed) {
-    problems.report(
-        checked.pointer + "/presented",
-        phrase("Protocols",
-               "the same surface would always be presented first, so that an order effect could "
-               "not be distinguished from a difference; set %1 to %2 or %3")
-            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
-  }
+  if (!checked.block.all_pairs) check_positions(checked, problems);
   check_prompt_for_sample(checked, problems);
 }
 

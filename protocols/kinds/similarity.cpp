@@ -12,6 +12,7 @@
 #include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/kind_list.h"
+#include "protocols/kinds/positions.h"
 #include "protocols/kinds/similarity_responses.h"
 
 namespace asperity {
@@ -41,15 +42,7 @@ void check_block_of_similarity(const BlockOfKind& checked, ProblemSink& problems
                            "the levels of a factor, add %1 and list one surface")
                         .with(key_name("all_pairs")));
   }
-  if (!checked.block.all_pairs && checked.block.phase == Phase::main &&
-      checked.block.positions == Protocol::Block::Positions::as_listed) {
-    problems.report(
-        checked.pointer + "/presented",
-        phrase("Protocols",
-               "the same surface would always be presented first, so that an order effect could "
-               "not be distinguished from a difference; set %1 to %2 or %3")
-            .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
-  }
+  if (!checked.block.all_pairs) check_positions(checked, problems);
 }
 
 /// The ratings of all main blocks are analysed together, so that they have to answer one question.
