@@ -83,7 +83,7 @@ Phrase place_name(std::string_view pointer) {
   return {kPlacesOfKeys, std::string(pointer).c_str()};
 }
 
-Phrase phrase_of_key(std::string_view text) { return {"Keys", std::string(text).c_str()}; }
+Phrase phrase_of_key(std::string_view text) { return {kTextsOfKeys, std::string(text).c_str()}; }
 
 std::vector<Phrase> quoted(const std::vector<std::string>& names) {
   std::vector<Phrase> all{};

@@ -24,6 +24,8 @@ Phrase place_name(std::string_view pointer);
 /// Each in quotation marks.
 std::vector<Phrase> quoted(const std::vector<std::string>& names);
 std::vector<Phrase> key_names(const std::vector<std::string>& keys);
+/// The context of the texts of the tables of keys.
+inline constexpr const char* kTextsOfKeys = "Keys";
 /// A text of the tables of keys: a label, a meaning, the problem of a condition.
 Phrase phrase_of_key(std::string_view text);
 

@@ -30,18 +30,6 @@ bool is_quoted_number(const json& value) {
          json::parse(value.get_ref<const std::string&>(), nullptr, false).is_number();
 }
 
-/// The number that a value of the shape can be; null if it can be none.
-const NumberShape* number_in(const ValueShape& shape) {
-  if (const auto* const number = std::get_if<NumberShape>(&shape)) return number;
-  if (const auto* const bound = std::get_if<BoundShape>(&shape)) return number_in(*bound->value);
-  if (const auto* const choice = std::get_if<FormsShape>(&shape)) {
-    for (const ValueShape& form : choice->forms) {
-      if (const NumberShape* const number = number_in(form)) return number;
-    }
-  }
-  return nullptr;
-}
-
 /// "a number from 0 to 2", "a whole number (at least 1)".
 Phrase permitted_numbers(const NumberShape& shape) {
   const auto limit = [](double number) { return number_of_file(digits(number)); };
@@ -75,6 +63,17 @@ Phrase permitted_values(const ValueShape& shape, const NumberShape* number) {
 }
 
 }  // namespace
+
+const NumberShape* number_in(const ValueShape& shape) {
+  if (const auto* const number = std::get_if<NumberShape>(&shape)) return number;
+  if (const auto* const bound = std::get_if<BoundShape>(&shape)) return number_in(*bound->value);
+  if (const auto* const choice = std::get_if<FormsShape>(&shape)) {
+    for (const ValueShape& form : choice->forms) {
+      if (const NumberShape* const number = number_in(form)) return number;
+    }
+  }
+  return nullptr;
+}
 
 Phrase quoted_value(const json& value) {
   switch (value.type()) {

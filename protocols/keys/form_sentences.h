@@ -16,6 +16,9 @@ namespace asperity {
 /// A value as an error quotes it: a text in quotation marks, "an object {…}", "a list […]".
 Phrase quoted_value(const nlohmann::json& value);
 
+/// The number that a value of the shape can be; null if it can be none.
+const NumberShape* number_in(const ValueShape& shape);
+
 /// "PROBLEM. Expected here: MEANING"; the problem alone without a meaning.
 Phrase with_meaning(const Phrase& problem, std::string_view meaning);
 

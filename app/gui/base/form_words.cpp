@@ -18,6 +18,7 @@
 #include "protocols/file/diagnostic.h"
 #include "protocols/form/form_entries.h"
 #include "protocols/form/form_pages.h"
+#include "protocols/keys/form_sentences.h"
 #include "protocols/keys/tables.h"
 #include "protocols/keys/texts_of_keys.h"
 #include "stimuli/properties/other_unit.h"
@@ -25,9 +26,6 @@
 namespace asperity {
 
 namespace {
-
-/// The context of phrase_of_key.
-constexpr const char* kTextsOfKeys = "Keys";
 
 /// Between the parts of a path.
 const QString kOfPath = QStringLiteral(" › ");
@@ -57,11 +55,8 @@ QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_
 std::optional<NumberShape> number_at(const nlohmann::json& protocol, const std::string& pointer) {
   if (!protocol.contains(nlohmann::json::json_pointer(pointer))) return {};
   const std::optional<ValueShape> shape = shape_at(kProtocolTable, protocol, pointer);
-  const auto* const bound = shape ? std::get_if<BoundShape>(&*shape) : nullptr;
-  const ValueShape* const own = bound != nullptr ? bound->value : shape ? &*shape : nullptr;
-  const auto* const number = own == nullptr ? nullptr : std::get_if<NumberShape>(own);
-  if (number == nullptr) return {};
-  return displayed_shape(*number, pointer);
+  const NumberShape* const number = shape ? number_in(*shape) : nullptr;
+  return number == nullptr ? std::nullopt : std::optional(displayed_shape(*number, pointer));
 }
 
 /// "500 mm" of 0.5 m.

@@ -61,6 +61,13 @@ TEST_F(WordsOfForm, StateThePermittedNumbersForAText) {
           "\"0.005\" is not permitted here: write a number, without quotation marks. Expected"));
 }
 
+TEST_F(WordsOfForm, ShowANumberThatIsOneOfSeveralFormsWithItsUnit) {
+  nlohmann::json file = nlohmann::json::parse(library_text("amplitude_jnd"));
+  file["blocks"]["main"]["arrangement"]["interval_s"] = -1;
+  EXPECT_THAT(problem_at(file.dump(1), "/blocks/main/arrangement/interval_s"),
+              testing::StartsWith("-1 s is too small: it must be at least 0 s"));
+}
+
 TEST_F(WordsOfForm, LeaveOutTheUnitsOfTheFile) {
   const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": 5");
   const std::string sentence = problem_at(text, "/surface/edge_width_m");
