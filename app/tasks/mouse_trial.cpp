@@ -60,7 +60,7 @@ std::string mouse_trial_text(const Protocol& protocol, const std::string& introd
   }
   json["device"] = std::move(device);
   if (json.contains("environment")) json["environment"].erase("masking_noise");
-  // The group is chosen, whoever assigns those of participants.
+  // The group is chosen here, also where another rule assigns those of participants.
   if (json.contains("groups")) {
     json["groups"] = {{"factor", json["groups"].at("factor")}, {"assigned", "by_experimenter"}};
   }

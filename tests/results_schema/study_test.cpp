@@ -55,7 +55,7 @@ TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
   EXPECT_FALSE(std::filesystem::exists(folder / "nameless"));
 }
 
-// Whoever comes second removes nothing of the first.
+// The second program removes nothing of the first.
 TEST(Study, IsMadeOnceWhereTwoFindTheFolderEmpty) {
   for (int time = 0; time < 20; ++time) {
     const TemporaryFolder folder;

@@ -41,7 +41,7 @@ struct ProtocolEditorPage::Saving {
   std::string written{};
   std::filesystem::path file{};         ///< where it was written
   int revision = 0;                     ///< of the text that was written
-  std::optional<std::string> theirs{};  ///< somebody has changed the file: nothing was written
+  std::optional<std::string> theirs{};  ///< the text of another program: nothing was written
   std::optional<VersionUse> use{};  ///< the version stands for another text: nothing was written
   bool only_simulated = false;      ///< in sessions of virtual participants only
   std::string not_looked_up{};      ///< why it is not known whether it does
@@ -219,7 +219,7 @@ void ProtocolEditorPage::raise_version() {
   edit_->replace(*range, '"' + raised(version) + '"');
 }
 
-// Whoever puts a new file in the old one's place ends the watch on it.
+// A new file in the place of the old one ends the watch on it.
 void ProtocolEditorPage::watch_file() {
   const QStringList watched = watcher_->files() + watcher_->directories();
   if (!watched.isEmpty()) watcher_->removePaths(watched);
