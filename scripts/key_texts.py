@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults) and of the
-pages of the form of a protocol as lines that lupdate reads."""
+"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of the pages of
+the form of a protocol and of the tests of kinds as lines that lupdate reads."""
 import pathlib
 import re
 import sys
@@ -46,6 +46,8 @@ def texts_among(opening, name, arguments):
         return texts[:1]
     if name == "RemovedKey":
         return texts[1:]
+    if name == "KindTest":
+        return texts[1:2]
     if opening == "{":  # a word: {name, value, meaning}
         if len(texts) > 3 and all(texts[:3]) and texts[3] is None:  # a page: {id, label, meaning, parts}
             return texts[1:3]
@@ -83,6 +85,8 @@ def main():
     paths = [path for folder in folders for path in sorted(folder.iterdir())]
     paths += [PROTOCOLS / "form" / "form_pages.cpp", PROTOCOLS / "file" / "translation.cpp",
               ROOT / "app" / "study_files" / "rendering_files.cpp"]
+    kinds = sorted((PROTOCOLS / "kinds").iterdir())
+    paths += [path for path in kinds if "KindTest{" in path.read_text(encoding="utf-8")]
     for path in paths:
         texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
     for text in filter(None, texts):

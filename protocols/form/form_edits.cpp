@@ -15,6 +15,7 @@
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/new_entries.h"
 #include "protocols/form/new_values.h"
+#include "protocols/form/offered_names.h"
 #include "protocols/keys/tables.h"
 
 namespace asperity {
@@ -107,7 +108,7 @@ FormEdit with_value(const JsonDocument& protocol, const std::string& pointer,
 
 FormEdit with_new_value(const JsonDocument& protocol, const std::string& pointer,
                         const ProtocolKey& key) {
-  const nlohmann::ordered_json value = new_value(key.shape, names_in(protocol.root()));
+  const nlohmann::ordered_json value = new_value(key.shape, names_of_form(protocol));
   if (pointer == "/groups" && value.at("factor") == "") {
     return {with_factor_of_groups(protocol).text, pointer};
   }
@@ -127,7 +128,7 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
     if (!is_comment(entry.key)) keys.push_back(entry.key);
   }
   const auto shape = container_shape(protocol, container);
-  const ProtocolNames names = names_in(protocol.root());
+  const ProtocolNames names = names_of_form(protocol);
   if (!entries.is_object()) {
     const auto* const list = shape ? std::get_if<ListShape>(&*shape) : nullptr;
     if (list == nullptr) refuse_entry(protocol, container);

@@ -14,6 +14,7 @@
 
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/new_values.h"
+#include "protocols/form/offered_names.h"
 #include "protocols/keys/names_in.h"
 
 namespace asperity {
@@ -40,7 +41,7 @@ std::vector<std::string> choices_of(const ValueShape& entry, const ProtocolNames
   }
   const NameShape* const name = name_of(entry);
   if (name == nullptr || name->is_declared) return {};
-  return declared_names(names, name->registry);
+  return offered_names(names, *name);
 }
 
 /// As a user types it: without the digits that a sum of two decimals has too many.
@@ -103,7 +104,7 @@ std::optional<nlohmann::ordered_json> new_entry(const JsonDocument& protocol,
                                                 const std::string& list, const ListShape& shape,
                                                 std::size_t index) {
   const json& present = value_at(protocol, list);
-  const ProtocolNames names = names_in(protocol.root());
+  const ProtocolNames names = names_of_form(protocol);
   const std::vector<std::string> choices = choices_of(*shape.entry, names);
   for (const std::string& choice : choices) {
     if (!has_entry(present, choice)) return choice;

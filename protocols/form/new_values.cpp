@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/form/offered_names.h"
 #include "protocols/shapes/key.h"
 
 namespace asperity {
@@ -61,7 +62,7 @@ struct NewValue {
   ordered_json operator()(const ListShape& shape) const {
     ordered_json list = ordered_json::array();
     for (std::size_t i = 0; i < std::max<std::size_t>(shape.shortest, 1); ++i) {
-      list.push_back(std::visit(*this, *shape.entry));
+      list.push_back(i == 0 ? std::visit(*this, *shape.entry) : another(*shape.entry, list));
     }
     return list;
   }
@@ -92,7 +93,7 @@ struct NewValue {
   /// The first name of the registry, of the groups the one with the fewest texts; of a declaration, a name that is free. The
   /// factor of the groups is one that neither blocks nor the flow set; if there is none, its name is empty.
   ordered_json named(const NameShape& shape) const {
-    std::vector<std::string> known = declared_names(names, shape.registry);
+    std::vector<std::string> known = offered_names(names, shape);
     if (shape.levels == kGroupNames) {
       std::erase_if(known, [this](const std::string& factor) { return is_set(factor); });
       return known.empty() ? std::string() : known.front();
@@ -100,6 +101,15 @@ struct NewValue {
     if (shape.registry == kGroupNames && !known.empty()) return least_used(known);
     if (!shape.is_declared && !known.empty()) return known.front();
     return free_name(known, "new");
+  }
+  /// One of the names that the list does not have, if there is one.
+  ordered_json another(const ValueShape& entry, const ordered_json& list) const {
+    if (const auto* const name = std::get_if<NameShape>(&entry)) {
+      for (const std::string& one : offered_names(names, *name)) {
+        if (std::find(list.begin(), list.end(), one) == list.end()) return one;
+      }
+    }
+    return std::visit(*this, entry);
   }
   std::string least_used(const std::vector<std::string>& groups) const {
     return *std::ranges::min_element(groups, {}, [this](const std::string& group) {

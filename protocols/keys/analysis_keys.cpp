@@ -10,12 +10,12 @@ namespace asperity {
 
 namespace {
 
-constexpr ValueShape kTest = TextShape{.longest = 64};
+constexpr ValueShape kTest = NameShape{kTestNames};
 
 constexpr auto kAnalysisKeys = keys_of(
     when(member_key<&AnalysisDeclaration::target>(
              "target", "Target", "Selection: the item that is tested against the others.",
-             NameShape{kItemNames}),
+             NameShape{.registry = kItemNames, .among = kChosenItems}),
          of_kinds({"selection"})),
     member_key<&AnalysisDeclaration::family>(
         "family", "Family of tests",
@@ -26,7 +26,8 @@ constexpr auto kAnalysisKeys = keys_of(
         ListShape{.entry = &kTest,
                   .meaning = "A test of this kind of protocol.",
                   .shortest = 1,
-                  .longest = 16}),
+                  .longest = 16,
+                  .is_distinct = true}),
     when(member_key<&AnalysisDeclaration::equivalence_margin>(
              "equivalence_margin", "Equivalence margin",
              "Matching and recognition: equivalence margin of the difference between the mean "
@@ -44,8 +45,6 @@ constexpr auto kAnalysisKeys = keys_of(
 }  // namespace
 
 constexpr KeyTableOf<AnalysisDeclaration> kAnalysisTable =
-    opened(table_of("The tests, declared before data collection. Further entries are stored with "
-                    "the study and not interpreted.",
-                    kAnalysisKeys));
+    table_of("The tests, declared before data collection.", kAnalysisKeys);
 
 }  // namespace asperity

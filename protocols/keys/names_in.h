@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -33,6 +34,14 @@ struct ProtocolNames {
   std::string groups{};
   /// Levels of that factor that are numbers, as texts: they have no names, and a screen states the number as a text.
   std::vector<std::string> numbers_of_groups{};
+
+  /// A name that no value declares, with what the program has of this name.
+  struct Offered {
+    std::string name{};
+    std::vector<std::string_view> meanings{};
+  };
+  /// By registry or part of one: names that follow from the blocks (form/offered_names.h).
+  std::map<std::string_view, std::vector<Offered>> offered{};
 };
 
 /// The registry of the levels of a factor.

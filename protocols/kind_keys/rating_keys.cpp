@@ -9,17 +9,22 @@ namespace asperity {
 
 namespace {
 
-constexpr ValueShape kScaleName = NameShape{kAnswerNames};
+constexpr ValueShape kScaleName = NameShape{.registry = kAnswerNames, .among = kRatedScales};
 
 constexpr auto kConstructKeys = keys_of(
     required_key(member_key<&ConstructDeclaration::scales>(
         "scales", "Scales",
         "Names of questions with a scale, all with the same minimum and maximum.",
-        ListShape{.entry = &kScaleName, .meaning = kNameMeaning, .shortest = 2, .longest = 64})),
+        ListShape{.entry = &kScaleName,
+                  .meaning = kNameMeaning,
+                  .shortest = 2,
+                  .longest = 64,
+                  .is_distinct = true})),
     member_key<&ConstructDeclaration::reverse_keyed>(
         "reverse_keyed", "Reverse-keyed",
         "Those of the scales on which the attribute decreases; absent: none.",
-        ListShape{.entry = &kScaleName, .meaning = kNameMeaning, .longest = 64}));
+        ListShape{
+            .entry = &kScaleName, .meaning = kNameMeaning, .longest = 64, .is_distinct = true}));
 
 }  // namespace
 

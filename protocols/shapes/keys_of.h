@@ -445,10 +445,5 @@ consteval KeyTableOf<Owner> not_empty(KeyTableOf<Owner> table) {
   table.may_be_empty = false;
   return table;
 }
-template <class Owner>
-consteval KeyTableOf<Owner> opened(KeyTableOf<Owner> table) {
-  table.is_open = true;
-  return table;
-}
 
 }  // namespace asperity

@@ -71,11 +71,15 @@ inline constexpr std::string_view kModelNames = "force models";  ///< of the pro
 inline constexpr std::string_view kRoleNames = "roles";          ///< of surfaces: of the program
 inline constexpr std::string_view kAnswerNames = "answers";      ///< the questions of trials
 inline constexpr std::string_view kItemNames = "items";          ///< surfaces in the responses
+inline constexpr std::string_view kTestNames = "tests";          ///< of the kinds: of the program
 /// The levels of a factor: of the one by whose name the value is stored (levels by factor), or else of the one that a key
 /// with `governs_levels` states.
 inline constexpr std::string_view kLevelNames = "levels";
 /// The groups of participants: the levels of the factor that has them as its `levels`.
 inline constexpr std::string_view kGroupNames = "groups of participants";
+// Parts of registries, to which a reference can be limited.
+inline constexpr std::string_view kChosenItems = "items of main blocks";
+inline constexpr std::string_view kRatedScales = "scales of main blocks";
 
 /// A name, and what it refers to. Entries of one registry with the same name are one thing.
 struct NameShape {
@@ -84,6 +88,8 @@ struct NameShape {
   /// Of a factor: levels in this object, and those next to it, are its levels.
   bool governs_levels = false;
   std::string_view levels{};  ///< of a factor: the registry in which its levels are names
+  std::string_view
+      among{};  ///< of a reference: the part of the registry that it is limited to; empty: all
 };
 
 /// A text for people, or in a form that a pattern states.

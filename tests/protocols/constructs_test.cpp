@@ -47,7 +47,7 @@ TEST(Constructs, ConsistOfScalesOfOneRange) {
   EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "course"]})"),
               HasSubstr("no main block of ratings has a scale \"course\""));
   EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "rough"]})"),
-              HasSubstr("is named twice"));
+              HasSubstr("\"rough\" occurs twice in this list"));
   EXPECT_THAT(problems_of_construct(R"({"scales": ["rough"]})"),
               HasSubstr("(/analysis/constructs/roughness"));
   EXPECT_THAT(
@@ -60,7 +60,7 @@ TEST(Constructs, ConsistOfScalesOfOneRange) {
   text.replace(range, 12, R"("maximum": 4)");
   EXPECT_THAT([&] { (void)read_protocol(text, "p.json", test::example_models()); },
               testing::ThrowsMessage<ProtocolError>(
-                  HasSubstr("\"hard\" has -3 to 4, the first scale -3 to 3")));
+                  HasSubstr("\"hard\" has -3 to 4, \"rough\" has -3 to 3")));
 }
 
 }  // namespace

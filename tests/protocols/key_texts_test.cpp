@@ -16,6 +16,7 @@
 
 #include "protocols/form/form_pages.h"
 #include "protocols/keys/texts_of_keys.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 namespace {
@@ -126,6 +127,9 @@ TEST(KeyTexts, AreThoseThatAreTranslated) {
   std::set<std::string> texts{};
   for (const std::string_view text : texts_of_keys()) texts.insert(with_entities(text));
   for (const std::string_view text : problems_of_keys()) texts.insert(with_entities(text));
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    for (const KindTest& test : kind->tests) texts.insert(with_entities(test.meaning));
+  }
   for (const FormPage& page : form_pages()) {
     texts.insert({with_entities(page.label), with_entities(page.meaning)});
   }

@@ -148,7 +148,7 @@ const json kEverything = json::parse(R"({
     "unit": "mm", "modulus": {"standard": 2, "value": 10}, "normalisation": "standard",
     "condition": "tip"},
   "analysis": {
-    "target": "stone", "family": ["pairs"], "equivalence_margin": 0.1, "later": [1],
+    "target": "stone", "family": ["pairs"], "equivalence_margin": 0.1,
     "exclude": {"more_catch_errors_than": 2},
     "constructs": {"feel": {"scales": ["ease", "roughness"], "reverse_keyed": ["ease"]}}},
   "flow": [

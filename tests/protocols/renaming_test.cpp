@@ -327,8 +327,8 @@ struct NamesOfTables {
 TEST(ProtocolNames, HaveARegistryInTheTables) {
   NamesOfTables names{};
   names.add(ObjectShape{&kProtocolTable}, "");
-  std::set<std::string> known{"answers", "force models", "groups of participants",
-                              "items",   "levels",       "roles"};
+  std::set<std::string> known{
+      "answers", "force models", "groups of participants", "items", "levels", "roles", "tests"};
   // The name of the protocol, the value of an option, and what only has a heading in the report.
   std::set<std::string> alone{"name", "value", "constructs"};
   for (const char* map :

@@ -6679,10 +6679,6 @@
         <translation>Beurteilung: Konstrukte nach Namen. Cronbachs Alpha wird über die Skalen jedes Konstrukts berechnet.</translation>
     </message>
     <message>
-        <source>The tests, declared before data collection. Further entries are stored with the study and not interpreted.</source>
-        <translation>Die vor der Erhebung festgelegten Tests. Weitere Einträge werden mit der Studie gespeichert und nicht ausgewertet.</translation>
-    </message>
-    <message>
         <source>Scales that are to measure the same attribute of the items.</source>
         <translation>Skalen, die dasselbe Merkmal der Items messen sollen.</translation>
     </message>
@@ -10110,6 +10106,166 @@
         <source>With stated values as the predictor: the value of each level, above 0. In the file the levels are in quotation marks, numbers among them in any notation.</source>
         <translation>Mit angegebenen Werten als Prädiktor: der Wert jeder Stufe, über 0. In der Datei stehen die Stufen in Anführungszeichen, Zahlen unter ihnen in beliebiger Schreibweise.</translation>
     </message>
+    <message>
+        <source>The tests, declared before data collection.</source>
+        <translation>Die Tests, vor der Datenerhebung festgelegt.</translation>
+    </message>
+    <message>
+        <source>whether the comparison is chosen equally often in both positions</source>
+        <translation>ob der Vergleichsreiz in beiden Positionen gleich häufig gewählt wird</translation>
+    </message>
+    <message>
+        <source>whether the thresholds differ between the conditions</source>
+        <translation>ob sich die Schwellen zwischen den Bedingungen unterscheiden</translation>
+    </message>
+    <message>
+        <source>whether the point of subjective equality differs from the standard; only with the judgement `comparison`</source>
+        <translation>ob der Punkt der subjektiven Gleichheit vom Standard abweicht; nur mit dem Urteil `comparison`</translation>
+    </message>
+    <message>
+        <source>whether the thresholds of two groups differ, or with a single level d′, for every pair of groups</source>
+        <translation>ob sich die Schwellen zweier Gruppen unterscheiden, bei nur einer Stufe d′, für jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether estimates depend on the spacing</source>
+        <translation>ob die Schätzungen vom Abstand abhängen</translation>
+    </message>
+    <message>
+        <source>whether the effect of the spacing depends on the condition</source>
+        <translation>ob der Effekt des Abstands von der Bedingung abhängt</translation>
+    </message>
+    <message>
+        <source>whether estimates depend on the condition</source>
+        <translation>ob die Schätzungen von der Bedingung abhängen</translation>
+    </message>
+    <message>
+        <source>whether the peaks of two conditions differ, for every pair of conditions</source>
+        <translation>ob sich die Maxima zweier Bedingungen unterscheiden, für jedes Paar von Bedingungen</translation>
+    </message>
+    <message>
+        <source>whether estimates depend on the stimulus</source>
+        <translation>ob die Schätzungen vom Reiz abhängen</translation>
+    </message>
+    <message>
+        <source>with a predictor: whether the exponent of the power function differs from 0, for every condition</source>
+        <translation>mit einem Prädiktor: ob der Exponent der Potenzfunktion von 0 abweicht, für jede Bedingung</translation>
+    </message>
+    <message>
+        <source>whether the effect of the stimulus depends on the condition</source>
+        <translation>ob der Effekt des Reizes von der Bedingung abhängt</translation>
+    </message>
+    <message>
+        <source>with a predictor: whether the exponents of two groups differ, for every pair of groups</source>
+        <translation>mit einem Prädiktor: ob sich die Exponenten zweier Gruppen unterscheiden, für jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether the effect of the stimulus differs between two groups, for every pair</source>
+        <translation>ob sich der Effekt des Reizes zwischen zwei Gruppen unterscheidet, für jedes Paar</translation>
+    </message>
+    <message>
+        <source>whether more items are matched correctly than expected by chance</source>
+        <translation>ob mehr Zuordnungen richtig sind, als durch Zufall zu erwarten ist</translation>
+    </message>
+    <message>
+        <source>whether more trials are completely correct than expected by chance</source>
+        <translation>ob mehr Durchgänge vollständig richtig sind, als durch Zufall zu erwarten ist</translation>
+    </message>
+    <message>
+        <source>whether a texture is matched correctly more often than expected by chance, for every texture</source>
+        <translation>ob eine Textur häufiger richtig zugeordnet wird, als durch Zufall zu erwarten ist, für jede Textur</translation>
+    </message>
+    <message>
+        <source>whether women and men differ</source>
+        <translation>ob sich Frauen und Männer unterscheiden</translation>
+    </message>
+    <message>
+        <source>whether two groups differ, for every pair of groups</source>
+        <translation>ob sich zwei Gruppen unterscheiden, für jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether one item is chosen more often than the other, for every pair of items</source>
+        <translation>ob ein Item häufiger gewählt wird als das andere, für jedes Paar von Items</translation>
+    </message>
+    <message>
+        <source>whether all items are chosen equally often</source>
+        <translation>ob alle Items gleich häufig gewählt werden</translation>
+    </message>
+    <message>
+        <source>whether both positions are chosen equally often</source>
+        <translation>ob beide Positionen gleich häufig gewählt werden</translation>
+    </message>
+    <message>
+        <source>whether the proportions of choices of the items differ between two groups, for every pair of groups</source>
+        <translation>ob sich die Anteile der Wahlen der Items zwischen zwei Gruppen unterscheiden, für jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether ratings differ between the items, for every scale</source>
+        <translation>ob sich die Urteile zwischen den Items unterscheiden, für jede Skala</translation>
+    </message>
+    <message>
+        <source>whether the ratings of two items differ, for every pair of items on every scale</source>
+        <translation>ob sich die Urteile über zwei Items unterscheiden, für jedes Paar von Items auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>whether the ratings depend on the item in an analysis of variance of the participants&apos; mean ratings, for every scale</source>
+        <translation>ob die Urteile vom Item abhängen, in einer Varianzanalyse der mittleren Urteile der Versuchspersonen, für jede Skala</translation>
+    </message>
+    <message>
+        <source>whether ratings differ between correct and incorrect responses, for every scale that accompanies a question with correct responses</source>
+        <translation>ob sich die Urteile zwischen richtigen und falschen Antworten unterscheiden, für jede Skala neben einer Frage mit richtigen Antworten</translation>
+    </message>
+    <message>
+        <source>whether the mean ratings of two groups differ, for every scale and pair of groups</source>
+        <translation>ob sich die mittleren Urteile zweier Gruppen unterscheiden, für jede Skala und jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether the differences between the items differ between two groups, for every scale and pair</source>
+        <translation>ob sich die Differenzen zwischen den Items zwischen zwei Gruppen unterscheiden, für jede Skala und jedes Paar</translation>
+    </message>
+    <message>
+        <source>whether the proportion correct is above the chance level</source>
+        <translation>ob der Anteil richtiger Antworten über dem Zufallsniveau liegt</translation>
+    </message>
+    <message>
+        <source>whether a texture is recognised more often than expected by chance, for every texture</source>
+        <translation>ob eine Textur häufiger erkannt wird, als durch Zufall zu erwarten ist, für jede Textur</translation>
+    </message>
+    <message>
+        <source>whether the responses depend on the stimulus</source>
+        <translation>ob die Antworten vom Reiz abhängen</translation>
+    </message>
+    <message>
+        <source>whether the target or the other item is chosen more often, for every pair that contains the target</source>
+        <translation>ob das Ziel oder das andere Item häufiger gewählt wird, für jedes Paar mit dem Ziel</translation>
+    </message>
+    <message>
+        <source>whether all positions are chosen equally often</source>
+        <translation>ob alle Positionen gleich häufig gewählt werden</translation>
+    </message>
+    <message>
+        <source>whether the target is chosen equally often with every texture</source>
+        <translation>ob das Ziel mit jeder Textur gleich häufig gewählt wird</translation>
+    </message>
+    <message>
+        <source>whether the target is chosen equally often, for every pair of groups</source>
+        <translation>ob das Ziel gleich häufig gewählt wird, für jedes Paar von Gruppen</translation>
+    </message>
+    <message>
+        <source>whether the stress of the configuration is below that of permuted ratings</source>
+        <translation>ob der Stress der Konfiguration unter dem permutierter Urteile liegt</translation>
+    </message>
+    <message>
+        <source>whether different surfaces are rated as more dissimilar than identical ones</source>
+        <translation>ob verschiedene Oberflächen unähnlicher beurteilt werden als identische</translation>
+    </message>
+    <message>
+        <source>whether a measured property is related to the configuration, for every property</source>
+        <translation>ob eine gemessene Eigenschaft mit der Konfiguration zusammenhängt, für jede Eigenschaft</translation>
+    </message>
+    <message>
+        <source>whether the dissimilarities of the pairs differ between two groups, for every pair of groups</source>
+        <translation>ob sich die Unähnlichkeiten der Paare zwischen zwei Gruppen unterscheiden, für jedes Paar von Gruppen</translation>
+    </message>
 </context>
 <context>
     <name>LabelNotice</name>
@@ -12027,20 +12183,8 @@
         <translation>kein Hauptblock mit Beurteilungen hat eine Skala %1; %2 verwenden</translation>
     </message>
     <message>
-        <source>the scale %1 is named twice; name it once</source>
-        <translation>die Skala %1 ist zweimal genannt; sie nur einmal nennen</translation>
-    </message>
-    <message>
-        <source>the scales of a construct are added up and have one range: %1 has %2 to %3, the first scale %4 to %5; give them the same minimum and maximum</source>
-        <translation>die Skalen eines Konstrukts werden addiert und haben denselben Wertebereich: %1 reicht von %2 bis %3, die erste Skala von %4 bis %5; ihnen dasselbe Minimum und Maximum geben</translation>
-    </message>
-    <message>
         <source>%1 is not one of the scales of this construct; use %2</source>
         <translation>%1 gehört nicht zu den Skalen dieses Konstrukts; %2 verwenden</translation>
-    </message>
-    <message>
-        <source>%1 is not a key of the analysis; did you mean %2?</source>
-        <translation>%1 ist keine Einstellung der Auswertung; gemeint ist vielleicht %2</translation>
     </message>
     <message>
         <source>the target %1 cannot be chosen in a main block</source>
@@ -12061,10 +12205,6 @@
     <message>
         <source>a %1 has no test %2; use %3</source>
         <translation>für die Art %1 gibt es keinen Test %2; %3 verwenden</translation>
-    </message>
-    <message>
-        <source>the test %1 is named twice; name it once</source>
-        <translation>der Test %1 ist zweimal genannt; ihn nur einmal nennen</translation>
     </message>
     <message>
         <source>the test %1 compares the groups of the protocol, which has none: add the key %2</source>
@@ -14409,6 +14549,10 @@
     <message>
         <source>the listed trials %1 have the same levels, so that this trial is presented more often than the others; change a level, or remove all but one of them and state the number of its repetitions</source>
         <translation>die aufgeführten Durchgänge %1 haben dieselben Stufen, sodass dieser Durchgang häufiger als die anderen dargeboten wird; eine Stufe ändern, oder alle bis auf einen von ihnen entfernen und die Zahl seiner Wiederholungen angeben</translation>
+    </message>
+    <message>
+        <source>the scales of a construct are added up and have one range: %1 has %2 to %3, %4 has %5 to %6; give them the same minimum and maximum</source>
+        <translation>die Skalen eines Konstrukts werden addiert und haben denselben Wertebereich: %1 reicht von %2 bis %3, %4 von %5 bis %6; ihnen dasselbe Minimum und Maximum geben</translation>
     </message>
 </context>
 <context>

@@ -798,6 +798,45 @@ TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {
   EXPECT_EQ(tree()["blocks"]["range"]["listed"][3]["texture"], "metal");
 }
 
+TEST_F(FormOfProtocol, EditsTheAnalysis) {
+  open(library_text("semantic_differential"));
+  const std::string scales = "/analysis/constructs/coarseness/scales";
+  ASSERT_NE(part(scales + "/0"), nullptr);
+  click("add:" + scales);
+  const json added = tree()["analysis"]["constructs"]["coarseness"]["scales"];
+  EXPECT_EQ(added, json::parse(R"(["rough", "bumpy", "coarse", "slippery"])"));
+  click("add:/analysis/family");
+  EXPECT_EQ(tree()["analysis"]["family"], json::parse(R"(["ratings", "rated_pairs"])"));
+  const auto& test = control<QComboBox>("/analysis/family/1");
+  EXPECT_EQ(test.currentText(),
+            "rated_pairs: whether the ratings of two items differ, for every pair of items on "
+            "every scale");
+  EXPECT_EQ(test.findData("pairs"), -1) << "a test of another kind";
+  click("add:/analysis/constructs/coarseness/reverse_keyed");
+  click("add:/analysis/constructs");
+  EXPECT_EQ(tree()["analysis"]["constructs"].size(), 2U);
+  EXPECT_TRUE(form().findChildren<TextCard*>().isEmpty());
+}
+
+TEST_F(FormOfProtocol, BeginsAnAnalysisThatIsValid) {
+  for (const char* const name : {"amplitude_jnd", "improved_selection", "semantic_differential"}) {
+    json protocol = json::parse(library_text(name));
+    protocol["analysis"] = json::object();
+    open(protocol.dump());
+    for (const char* const key : {"family", "target", "constructs"}) {
+      form().show_page("analysis");
+      QApplication::processEvents();
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of the text before
+      const std::string add = std::string("add:/analysis/") + key;
+      if (form().findChild<QPushButton*>(add.c_str()) != nullptr) click(add);
+    }
+    EXPECT_EQ(tree()["analysis"].contains("family"), true) << name;
+    const ProtocolReading read =
+        read_protocol_with_problems(text(), name, declarations_of(built_in_models()));
+    EXPECT_TRUE(read.problems.empty()) << name << ": " << read.problems.front().message.english();
+  }
+}
+
 TEST_F(FormOfProtocol, ShowsAlmostEverythingOfTheLibrary) {
   constexpr int kMostCards = 3;
   for (const LibraryProtocol& library : library_protocols()) {

@@ -112,7 +112,9 @@ class FieldMaker final {
         [&context = context_, shape, pointer = pointer_] {
           std::vector<ChoiceField::Choice> choices{};
           for (const QString& name : context.source->names_for(shape, pointer)) {
-            choices.push_back({name.toStdString(), name});
+            const QString meaning = context.source->meaning_of_name(shape, name);
+            choices.push_back({name.toStdString(), meaning.isEmpty() ? name : name + ": " + meaning,
+                               meaning.isEmpty() ? QString() : name});
           }
           return choices;
         },

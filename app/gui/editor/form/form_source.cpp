@@ -13,6 +13,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/new_values.h"
+#include "protocols/form/offered_names.h"
 
 namespace asperity {
 
@@ -62,7 +63,7 @@ std::optional<std::string> key_in_place(const JsonDocument& before, const std::s
 FormSource::FormSource(std::string text, const std::vector<ModelDeclaration>& models)
     : text_(std::move(text)),
       document_(text_, {}),
-      names_(names_in(document_.root())),
+      names_(names_of_form(document_)),
       models_(models) {}
 
 const nlohmann::json* FormSource::find(const std::string& pointer) const {
@@ -90,11 +91,26 @@ QStringList FormSource::names_for(const NameShape& shape, const std::string& poi
       registry = use.registry;
     }
   }
+  if (const auto* const offered = offered_in(names_, shape)) {
+    for (const ProtocolNames::Offered& name : *offered) add_new(names, name.name);
+    return names;
+  }
   for (const std::string& name : declared_names(names_, registry)) add_new(names, name);
   for (const NameUse& use : names_.uses) {  // roles and levels are named where they are used
     if (use.registry == registry) add_new(names, use.name);
   }
   return names;
+}
+
+QString FormSource::meaning_of_name(const NameShape& shape, const QString& name) const {
+  QStringList meanings{};
+  const auto* const offered = offered_in(names_, shape);
+  if (offered == nullptr) return {};
+  for (const ProtocolNames::Offered& one : *offered) {
+    if (text(one.name) != name) continue;
+    for (const std::string_view meaning : one.meanings) meanings.append(meaning_in_form(meaning));
+  }
+  return meanings.join("; ");
 }
 
 std::size_t FormSource::references_to(const std::string& pointer) const {

@@ -96,11 +96,14 @@ bool ObjectRows::can_be_folded(const FormEntry& entry) const {
   });
 }
 
+std::size_t ObjectRows::foldable(const std::vector<FormEntry>& entries) const {
+  const auto unset = static_cast<std::size_t>(std::ranges::count_if(
+      entries, [this](const FormEntry& entry) { return can_be_folded(entry); }));
+  return unset <= kFewSettings || unset == entries.size() ? 0 : unset;
+}
+
 bool ObjectRows::is_unfolded(const std::vector<FormEntry>& entries) const {
-  if (context().opened.contains(pointer() + "/")) return true;
-  const auto unset = std::ranges::count_if(
-      entries, [this](const FormEntry& entry) { return can_be_folded(entry); });
-  return unset <= kFewSettings;
+  return context().opened.contains(pointer() + "/") || foldable(entries) == 0;
 }
 
 std::string ObjectRows::structure(const std::vector<FormEntry>& entries) const {
@@ -139,9 +142,7 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
   rows_.clear();
   labels_.clear();
   const bool is_open = is_unfolded(entries);
-  std::size_t unset = 0;
   for (const FormEntry& entry : entries) {
-    if (can_be_folded(entry)) ++unset;
     if (can_be_folded(entry) && !is_open) continue;
     if (has_field(entry.key->shape, source().find(entry.pointer))) {
       add_field(entry);
@@ -152,7 +153,7 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
     }
   }
   align_field_labels(labels_);
-  if (unset > kFewSettings) add_fold(unset, is_open);
+  if (const std::size_t count = foldable(entries); count > 0) add_fold(count, is_open);
   add_unknown_keys();
 }
 
@@ -283,7 +284,7 @@ FormPart* make_part(FormContext& context, const ValueShape& shape, const Protoco
   if (has_field(shape, value)) return make_field(context, shape, {key}, pointer, parent);
   if (is_table(*found)) return new RowTable(context, pointer, parent);
   if (const auto* const object = std::get_if<ObjectShape>(found)) {
-    if (object->table->is_open) return new TextCard(context, pointer, parent);
+    if (object->table->keys.empty()) return new TextCard(context, pointer, parent);
     return new ObjectRows(context, *object->table, pointer, part, parent);
   }
   return new EntryList(context, *found, pointer, part, parent);

@@ -38,6 +38,8 @@ class ObjectRows final : public FormPart {
 
   std::vector<FormEntry> entries() const;
   const PagePart* part_of(std::string_view key) const;
+  /// The number of settings that can be folded: none where they are few or all that there are.
+  std::size_t foldable(const std::vector<FormEntry>& entries) const;
   bool is_unfolded(const std::vector<FormEntry>& entries) const;
   bool can_be_folded(const FormEntry& entry) const;
   /// What the rows follow from: a change makes them again.
