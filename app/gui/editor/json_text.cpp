@@ -135,24 +135,21 @@ std::optional<BracketPair> bracket_pair(QStringView text, qsizetype cursor) {
   BracketPair pair{found->start, {}};
   const bool forwards = is_opening(text[found->start]);
   std::vector<QChar> open{};
-  const auto visit = [&](const JsonToken& token) {
+  const auto end = forwards ? tokens.end() - found : found - tokens.begin() + 1;
+  for (std::ptrdiff_t i = 0; i < end; ++i) {
+    const JsonToken& token = *(forwards ? found + i : found - i);
     const QChar c = text[token.start];
-    if (token.kind != JsonToken::Kind::mark || (!is_opening(c) && !is_closing(c))) return false;
+    if (token.kind != JsonToken::Kind::mark || (!is_opening(c) && !is_closing(c))) continue;
     if (is_opening(c) == forwards) {
       open.push_back(c);
-      return false;
+      continue;
     }
     const QChar opened = open.back();
     open.pop_back();
-    if (!open.empty()) return false;
+    if (!open.empty()) continue;
     const bool curly = opened == '{' || opened == '}';
     if (curly == (c == '{' || c == '}')) pair.other = token.start;
-    return true;
-  };
-  if (forwards) {
-    std::find_if(found, tokens.end(), visit);
-  } else {
-    std::find_if(std::make_reverse_iterator(std::next(found)), tokens.rend(), visit);
+    break;
   }
   return pair;
 }
