@@ -120,6 +120,26 @@ FormEdit without(const JsonDocument& protocol, std::span<const std::string> poin
           pointers.empty() ? std::string() : parent_of(pointers.front())};
 }
 
+std::vector<std::string> entries_naming(const JsonDocument& protocol, const ProtocolNames& names,
+                                        const std::string& pointer) {
+  std::vector<std::string> entries{};
+  for (const bool is_key : {true, false}) {
+    const NameUse* const declared = declaration_at(names, pointer, is_key);
+    if (declared == nullptr) continue;
+    for (const NameUse& use : names.uses) {
+      // A level that is a texture leaves with the texture, and the texture stays where a level leaves.
+      const bool is_same =
+          use.registry == declared->registry ||
+          std::ranges::find(names.links, std::pair(use.registry, declared->registry)) !=
+              names.links.end();
+      const bool is_entry = !use.is_key && !use.is_in_formula && use.pointer != pointer &&
+                            value_at(protocol, parent_of(use.pointer)).is_array();
+      if (is_same && is_entry && use.name == declared->name) entries.push_back(use.pointer);
+    }
+  }
+  return entries;
+}
+
 FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
                     std::string_view key) {
   const TextContainer entries(protocol, container);

@@ -23,6 +23,8 @@ namespace asperity {
 namespace {
 
 using nlohmann::json;
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 /// On how many pages each key is.
 std::map<std::string, int> pages_of_keys(std::string_view of) {
@@ -334,6 +336,16 @@ TEST(FormEdits, RemoveSeveralEntriesAtOnce) {
   EXPECT_EQ(without(JsonDocument(text, ""), nested).text, R"({"flow": [{"a": 1}], "x": 1})");
   const std::array<std::string, 3> all{"/flow/0", "/flow/1", "/flow/2"};
   EXPECT_EQ(without(JsonDocument(text, ""), all).text, R"({"flow": [], "x": 1})");
+}
+
+TEST(FormEdits, KnowTheEntriesOfListsThatAreGoneWithAName) {
+  const JsonDocument protocol(test::library_text("attributes_of_textures"), "");
+  const ProtocolNames names = names_in(protocol.root());
+  EXPECT_THAT(entries_naming(protocol, names, "/textures/metal"),
+              ElementsAre("/factors/texture/levels/0", "/blocks/recognition/question/pictures/0"));
+  EXPECT_THAT(entries_naming(protocol, names, "/blocks/recognition"), IsEmpty());
+  EXPECT_THAT(entries_naming(protocol, names, "/factors/texture/levels/0"), IsEmpty())
+      << "the texture stays without the level";
 }
 
 // What a form writes for a new key has the form of the key.

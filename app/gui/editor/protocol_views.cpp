@@ -92,7 +92,11 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
 }
 
 // A field with the focus, which is deleted after the members, changes the focus.
-ProtocolViews::~ProtocolViews() { disconnect(qApp, nullptr, this, nullptr); }
+/// A name that is typed is no edit when the form is hidden for the last time.
+ProtocolViews::~ProtocolViews() {
+  disconnect(qApp, nullptr, this, nullptr);
+  delete form_;
+}
 
 /// The buttons of both views.
 QWidget* ProtocolViews::make_switch() {

@@ -11955,10 +11955,6 @@
         <translation>%1; gemeint ist vielleicht %2</translation>
     </message>
     <message>
-        <source>%1; none is declared: declare it, or remove the name</source>
-        <translation>%1; nichts dieser Art ist festgelegt: einen Eintrag mit diesem Namen ergänzen oder den Namen entfernen</translation>
-    </message>
-    <message>
         <source>%1; use %2</source>
         <translation>%1; möglich: %2</translation>
     </message>
@@ -14553,6 +14549,10 @@
     <message>
         <source>the scales of a construct are added up and have one range: %1 has %2 to %3, %4 has %5 to %6; give them the same minimum and maximum</source>
         <translation>die Skalen eines Konstrukts werden addiert und haben denselben Wertebereich: %1 reicht von %2 bis %3, %4 von %5 bis %6; ihnen dasselbe Minimum und Maximum geben</translation>
+    </message>
+    <message>
+        <source>%1; declare it, or remove the name</source>
+        <translation>%1; einen Eintrag mit diesem Namen ergänzen oder den Namen entfernen</translation>
     </message>
 </context>
 <context>
@@ -18552,6 +18552,13 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>All names occur already</source>
         <translation>Alle Namen kommen schon vor</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove “%1”, also as an entry of %n list(s)</source>
+        <translation>
+            <numerusform>„%1“ entfernen, auch als Eintrag in %n Liste</numerusform>
+            <numerusform>„%1“ entfernen, auch als Eintrag in %n Listen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

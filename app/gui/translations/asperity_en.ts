@@ -77,6 +77,16 @@
     </message>
 </context>
 <context>
+    <name>asperity::EntryList</name>
+    <message numerus="yes">
+        <source>Remove “%1”, also as an entry of %n list(s)</source>
+        <translation>
+            <numerusform>Remove “%1”, also as an entry of %n list</numerusform>
+            <numerusform>Remove “%1”, also as an entry of %n lists</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProtocolFileActions</name>
     <message numerus="yes">
         <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>

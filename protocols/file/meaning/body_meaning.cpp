@@ -111,9 +111,11 @@ void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
     if (!is_given && needs != models.end()) {
       checked.report(pointer, if_missing.with(in_quotes((*needs)->id), key_name(key)));
     }
-    for (const auto& [name, at] : texts_of(checked, binding, place)) {
+    const auto named = texts_of(checked, binding, place);
+    for (const auto& [name, at] : named) {
       if (!checked.protocol.bodies.contains(name))
-        checked.report(at, unknown_name("body", name, checked.protocol.bodies));
+        checked.report(
+            at, unknown_name("body", name, names_not_in(names_of(named), checked.protocol.bodies)));
     }
   };
   if (needs != models.end() && checked.protocol.patch.motion_scale != 1.0) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -105,6 +106,16 @@ bool states_one_test(CheckedDocument& checked, const std::string& pointer);
 /// Whether an answer to the question can meet the condition at the place.
 void check_test(CheckedDocument& checked, const AnswerCondition& condition,
                 const Question& question, const std::string& pointer);
+
+/// What an entry of a list can be instead: the names that a map declares, without those in the list.
+template <class Map>
+std::vector<std::string> names_not_in(const std::vector<std::string>& list, const Map& declared) {
+  std::vector<std::string> names = names_of(declared);
+  std::erase_if(names, [&list](const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  });
+  return names;
+}
 
 // stimulus_meaning.cpp
 void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,

@@ -55,7 +55,8 @@ void check_pictures(CheckedDocument& checked, const Block& block,
     const auto texture = checked.protocol.textures.find(name);
     const auto here = question.pictures.begin() + static_cast<std::ptrdiff_t>(i);
     if (texture == checked.protocol.textures.end()) {
-      checked.report(at, unknown_name("texture", name, checked.protocol.textures));
+      checked.report(at, unknown_name("texture", name,
+                                      names_not_in(question.pictures, checked.protocol.textures)));
     } else if (!texture->second.picture) {
       checked.report(at, phrase("Protocols", "the texture %1 has no %2 to show; give it one")
                              .with(in_quotes(name), key_name("picture")));

@@ -197,10 +197,12 @@ void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
       std::all_of(models.begin(), models.end(), [](const ModelDeclaration* each) {
         return !each->assets.empty() && !each->needs_height_field && !each->needs_bodies;
       });
-  for (const auto& [name, place] : texts_of(checked, stimulus.texture, pointer + "/texture")) {
+  const auto named = texts_of(checked, stimulus.texture, pointer + "/texture");
+  for (const auto& [name, place] : named) {
     const auto texture = checked.protocol.textures.find(name);
     if (texture == checked.protocol.textures.end()) {
-      checked.report(place, unknown_name("texture", name, checked.protocol.textures));
+      checked.report(place, unknown_name("texture", name,
+                                         names_not_in(names_of(named), checked.protocol.textures)));
     } else if (all_need_bodies && brings_its_relief(checked, stimulus, pointer)) {
       // The texture is the name and the picture of a body's own relief.
       if (texture->second.height_field && !is_on_a_body(checked, stimulus, name, pointer)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <random>
 #include <string>
 #include <utility>
@@ -162,9 +163,25 @@ TEST_F(FormOfProtocol, SurvivesARemovalWhileANameIsTyped) {
   name.setFocus();
   name.selectAll();
   QTest::keyClicks(&name, "rock");
-  click_named("Remove “wood”");
+  click("remove:/textures/wood");
   EXPECT_TRUE(tree()["textures"].contains("rock"));
   EXPECT_FALSE(tree()["textures"].contains("wood"));
+}
+
+TEST_F(FormOfProtocol, CanBeClosedWhileANameIsTyped) {
+  auto views = std::make_unique<ProtocolViews>(declarations_of(built_in_models()));
+  views->text().setPlainText(QString::fromStdString(library_text("semantic_differential")));
+  views->show();
+  views->show_form_if_possible();
+  auto& opened = child<ProtocolForm>(*views, "editor_form");
+  opened.go_to("/textures/stone/code");
+  QApplication::processEvents();
+  auto& name =
+      static_cast<QLineEdit&>(*child<FormPart>(opened, "name:/textures/stone").focusProxy());
+  name.setFocus();
+  name.selectAll();
+  QTest::keyClicks(&name, "rock");
+  views.reset();
 }
 
 TEST_F(FormOfProtocol, WritesATypedNameBeforeItIsLeft) {
@@ -796,6 +813,22 @@ TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {
   click("add:/blocks/range/listed");
   EXPECT_EQ(tree()["blocks"]["range"]["listed"].size(), 4U);
   EXPECT_EQ(tree()["blocks"]["range"]["listed"][3]["texture"], "metal");
+}
+
+TEST_F(FormOfProtocol, RemovesTheLevelsWithTheirTexture) {
+  open(library_text("attributes_of_textures"));
+  const std::string before = text();
+  ASSERT_NE(part("/factors/texture/levels/0"), nullptr);
+  form().show_page("surfaces");
+  QApplication::processEvents();
+  EXPECT_EQ(child<QToolButton>(form(), "remove:/textures/metal").accessibleName(),
+            "Remove “metal”, also as an entry of 2 lists");
+  click("remove:/textures/metal");
+  EXPECT_FALSE(tree()["textures"].contains("metal"));
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"], json::parse(R"(["stone", "wood", "brick"])"));
+  EXPECT_EQ(tree()["blocks"]["recognition"]["question"]["pictures"].size(), 5U);
+  undo();
+  EXPECT_EQ(text(), before) << "one step";
 }
 
 TEST_F(FormOfProtocol, EditsTheAnalysis) {

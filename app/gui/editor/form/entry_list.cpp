@@ -3,6 +3,7 @@
 #include "app/gui/editor/form/entry_list.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -136,7 +137,14 @@ void EntryList::refresh() {
 void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   const QString title = title_of(entry, index);
   for (const Tool& tool : entry.tools) {
-    const QString sentence = tool.sentence.arg(title);
+    const qsizetype others =
+        tool.action == EntryAction::remove
+            ? std::ssize(entries_naming(source().document(), source().names(), entry.pointer))
+            : 0;
+    const QString sentence = others == 0 ? tool.sentence.arg(title)
+                                         : tr("Remove “%1”, also as an entry of %n list(s)",
+                                              nullptr, static_cast<int>(others))
+                                               .arg(title);
     tool.button->setToolTip(tool.keys.isEmpty() ? sentence
                                                 : QString("%1 (%2)").arg(sentence, tool.keys));
     tool.button->setAccessibleName(sentence);
@@ -298,7 +306,8 @@ QHBoxLayout* EntryList::make_tools(Entry& entry, std::size_t index) {
   const auto add = [&](const QString& sign, const QString& sentence, Action action, auto act) {
     QToolButton* tool = make_tool(sign, {}, this);
     row->addWidget(tool);
-    entry.tools.push_back({tool, sentence, keys_of(action).toString(QKeySequence::NativeText)});
+    entry.tools.push_back(
+        {tool, sentence, keys_of(action).toString(QKeySequence::NativeText), action});
     connect(tool, &QToolButton::clicked, this, act);
     return tool;
   };
@@ -495,6 +504,8 @@ std::size_t EntryList::remove(std::size_t index) {
   for (const std::size_t i : gone) {
     pointers.push_back(entries_[i].pointer);
     ticked_.erase(entries_[i].pointer);
+    std::ranges::copy(entries_naming(source().document(), source().names(), entries_[i].pointer),
+                      std::back_inserter(pointers));
   }
   rearrange([&](const JsonDocument& text) { return without(text, pointers); },
             [&](std::size_t before) -> std::optional<std::size_t> {

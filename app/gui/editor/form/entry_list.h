@@ -53,6 +53,7 @@ class EntryList final : public FormPart {
     QToolButton* button = nullptr;
     QString sentence{};  ///< what it does to "%1"
     QString keys{};      ///< of its shortcut; can be empty
+    EntryAction action = EntryAction::remove;
   };
   struct Entry {
     std::string pointer{};

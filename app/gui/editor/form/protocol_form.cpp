@@ -167,6 +167,13 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   });
 }
 
+/// The fields use the context until they are gone; that they lose the focus is no edit.
+ProtocolForm::~ProtocolForm() {
+  disconnect(qApp, nullptr, this, nullptr);
+  context_.is_refreshing = true;
+  delete area_;
+}
+
 void ProtocolForm::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   double longest = 0.0;  // word of a name

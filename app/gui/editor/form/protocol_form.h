@@ -31,6 +31,7 @@ class ProtocolForm final : public QWidget {
  public:
   /// `models` outlives it.
   explicit ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget* parent = nullptr);
+  ~ProtocolForm() override;
 
   /// The fields show this text. One that is no JSON leaves them as they are, and none can be edited.
   void show_text(const std::string& text);
