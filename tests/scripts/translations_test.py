@@ -96,8 +96,10 @@ with tempfile.TemporaryDirectory() as fresh:
     if refreshed.returncode != 0:
         sys.exit(f"scripts/translations ended with {refreshed.returncode}: {refreshed.stderr}")
     # What it warns of (a class without Q_OBJECT, tr() of a class in a function that it misreads) files a text
-    # under another class than the program looks it up under.
-    complaints += [line for line in refreshed.stderr.splitlines() if line.strip()]
+    # under another class than the program looks it up under. Outside of app/gui there is no tr(): a class that lupdate
+    # does not know is no matter there.
+    complaints += [line for line in refreshed.stderr.splitlines()
+                   if line.strip() and ("undeclared qualified class" not in line or "/app/gui/" in line)]
     for language in LANGUAGES:
         kept = messages(FOLDER, language)
         wanted = messages(fresh, language)
