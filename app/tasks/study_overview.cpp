@@ -16,6 +16,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 
 #include "analysis/numbers/random.h"
 #include "app/plugins/stored_plugins.h"
@@ -31,6 +32,7 @@
 #include "device/simulated_device.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/file/stored_protocol.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -104,7 +106,7 @@ void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& s
       ++people[session.participant];
     }
   }
-  const int wanted = overview.check.protocol ? overview.check.protocol->sessions : 1;
+  const int wanted = overview.read().sessions;
   const auto done = [wanted](const Completed& completed) {
     return static_cast<int>(
         std::count_if(completed.begin(), completed.end(),
@@ -112,6 +114,14 @@ void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& s
   };
   overview.people_done = done(people);
   overview.virtual_done = done(virtual_ones);
+}
+
+/// Also one that does not exist; empty where none is stated.
+std::string stated_kind(const std::string& source) {
+  const auto protocol = nlohmann::json::parse(source, nullptr, false);
+  const bool has_kind =
+      protocol.is_object() && protocol.contains("kind") && protocol.at("kind").is_string();
+  return has_kind ? protocol.at("kind").get<std::string>() : std::string();
 }
 
 /// Which protocols of the study name each file.
@@ -310,7 +320,7 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
 bool has_made_up_dates(const SessionRow& session) { return session.pacing == "stepped"; }
 
 std::string ProtocolOverview::name() const {
-  return check.protocol ? check.protocol->name : std::filesystem::path(check.file).stem().string();
+  return read().name.empty() ? std::filesystem::path(check.file).stem().string() : read().name;
 }
 
 std::vector<ProtocolOverview> protocol_overviews(const Study& study, const ModelRegistry& models,
@@ -334,6 +344,9 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
       sort_by_line(check.warnings);
       const Plan plan = example_plan(*overview.check.protocol, {1, 0});
       if (!plan.trials.empty()) overview.blocks = plan.trials.back().block_ordinal;
+    } else {
+      overview.part = stored_protocol(overview.check.text).protocol;
+      overview.part.kind = stated_kind(overview.check.text);
     }
     count_progress(overview, sessions, names, virtual_people);
     overviews.push_back(std::move(overview));

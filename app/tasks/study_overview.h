@@ -77,7 +77,8 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
 /// A protocol file of the study's `protocols/`, and the progress of its sessions.
 struct ProtocolOverview {
   ProtocolCheck check{};
-  int blocks = 0;  ///< of an example plan
+  Protocol part{};  ///< of a protocol that the check could not read: what can be read of it
+  int blocks = 0;   ///< of an example plan
   /// The number of participants who have completed as many sessions as the protocol specifies;
   /// people in mode `run`.
   int people_done = 0;
@@ -87,7 +88,8 @@ struct ProtocolOverview {
   std::optional<SessionRow> last_session{};
 
   bool is_valid() const noexcept { return check.is_valid(); }
-  /// The protocol's name, or the file's where the protocol cannot be read.
+  const Protocol& read() const noexcept { return check.protocol ? *check.protocol : part; }
+  /// The protocol's name, or the file's where it has none.
   std::string name() const;
 };
 /// By file name.

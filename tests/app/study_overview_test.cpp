@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -120,6 +121,24 @@ TEST(ProtocolOverviews, KeepVirtualParticipantsAndPilotsApart) {
   EXPECT_FALSE(overviews[0].last_session);
 }
 
+TEST(ProtocolOverviews, ShowWhatCanBeReadOfAProtocolWithProblems) {
+  const TemporaryFolder folder{};
+  make_small_study(folder.path() / "study");
+  nlohmann::json protocol = nlohmann::json::parse(small_protocol());
+  protocol["title"] = "Small";
+  protocol["flow"] = "no list";
+  write_file(folder.path() / "study" / "protocols" / "odd.json", protocol.dump(),
+             Overwrite::refuse);
+  const Study study = Study::open(folder.path() / "study", Access::read_only);
+  const auto overviews = protocol_overviews(study, built_in_models(), {});
+  ASSERT_EQ(overviews.size(), 1U);
+  EXPECT_FALSE(overviews[0].is_valid());
+  EXPECT_EQ(overviews[0].name(), protocol.at("name"));
+  EXPECT_EQ(overviews[0].read().title, "Small");
+  EXPECT_EQ(overviews[0].read().kind, protocol.at("kind"));
+  EXPECT_EQ(overviews[0].read().version, protocol.at("version"));
+}
+
 TEST(ProtocolOverviews, NameAFileThatCannotBeReadByItself) {
   const TemporaryFolder folder{};
   make_small_study(folder.path() / "study");
@@ -129,6 +148,7 @@ TEST(ProtocolOverviews, NameAFileThatCannotBeReadByItself) {
   const auto overviews = protocol_overviews(study, built_in_models(), {});
   ASSERT_EQ(overviews.size(), 1U);
   EXPECT_EQ(overviews[0].name(), "odd");
+  EXPECT_TRUE(overviews[0].read().kind.empty());
   EXPECT_FALSE(overviews[0].is_valid());
 }
 

@@ -28,10 +28,19 @@ QStandardItem* state_cell(State state, const QString& words, int order) {
 
 }  // namespace
 
+QString title_of(const ProtocolOverview& overview) {
+  const std::string& title = overview.read().title;
+  return text(title.empty() ? overview.name() : title);
+}
+
 QString overview_facts(const ProtocolOverview& overview) {
-  const Protocol& protocol = *overview.check.protocol;
-  QStringList facts{text(overview.name()), text_of_kind(protocol.kind),
-                    ProtocolsPage::tr("version %1").arg(text(protocol.version))};
+  const Protocol& protocol = overview.read();
+  QStringList facts{text(overview.name())};
+  if (!protocol.kind.empty()) facts.append(text_of_kind(protocol.kind));
+  if (!protocol.version.empty()) {
+    facts.append(ProtocolsPage::tr("version %1").arg(text(protocol.version)));
+  }
+  if (!overview.check.protocol) return facts.join(" · ");
   if (overview.is_valid()) {
     const QString trials = count_text(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
                                       ProtocolsPage::tr("%1 trials"));
@@ -81,14 +90,13 @@ QStandardItem* validity_cell(const ProtocolOverview& overview) {
 }
 
 StudyTable::Row protocol_row(const ProtocolOverview& overview) {
-  const std::optional<Protocol>& protocol = overview.check.protocol;
-  const QString title =
-      protocol && !protocol->title.empty() ? text(protocol->title) : text(overview.name());
+  const Protocol& protocol = overview.read();
+  const QString none("–");
   return {text(overview.check.file),
-          {text_cell(title), text_cell(text(overview.name())),
-           text_cell(protocol ? text_of_kind(protocol->kind) : QString("–")),
-           text_cell(protocol ? text(protocol->version) : QString("–")),
-           progress_cell(overview.people_done, protocol ? protocol->planned_participants : 0),
+          {text_cell(title_of(overview)), text_cell(text(overview.name())),
+           text_cell(protocol.kind.empty() ? none : text_of_kind(protocol.kind)),
+           text_cell(protocol.version.empty() ? none : text(protocol.version)),
+           progress_cell(overview.people_done, protocol.planned_participants),
            validity_cell(overview)}};
 }
 
@@ -98,7 +106,7 @@ QString description_of(const ProtocolOverview& overview) {
   for (const Diagnostic& warning : overview.check.warnings) {
     paragraphs += ProtocolsPage::tr("▲ %1").arg(remark_in_form(protocol, warning));
   }
-  paragraphs += text(overview.check.protocol->description);
+  paragraphs += text(overview.read().description);
   for (const auto& [block, design] : overview.check.designs) {
     paragraphs += ProtocolsPage::tr("Block %1: %2.").arg(text(block), text(design));
   }

@@ -422,10 +422,8 @@ void ProtocolsPage::show_selected() {
   if (overview != nullptr) file_actions_->set_file(overview->check.file);
   if (overview == nullptr) return;
   const std::optional<Protocol>& protocol = overview->check.protocol;
-  const std::filesystem::path file = overview->check.file;
-  name_->setText(protocol && !protocol->title.empty() ? text(protocol->title)
-                                                      : text(overview->name()));
-  facts_->setText(protocol ? overview_facts(*overview) : text_of_path(file));
+  name_->setText(title_of(*overview));
+  facts_->setText(overview_facts(*overview));
   last_run_->setText(last_run_of(*overview));
   const bool valid = overview->is_valid();
   const bool can_run = valid && study().can_be_written();
@@ -442,7 +440,7 @@ void ProtocolsPage::show_selected() {
                                   "folder that you may write to."));
   }
   reason_->setVisible(!reason_->text().isEmpty());
-  description_->setText(protocol ? description_of(*overview) : QString{});
+  description_->setText(description_of(*overview));
   const auto json = nlohmann::json::parse(overview->check.text, nullptr, false);
   std::vector<StudyTable::Row> rows{};
   for (const Diagnostic& problem : overview->check.diagnostics) {

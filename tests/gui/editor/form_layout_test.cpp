@@ -160,6 +160,28 @@ TEST_F(FormOfProtocol, KeepsTheFieldInUseInItsPlaceWhenProblemsAppear) {
   EXPECT_EQ(field.mapTo(&views_, QPoint()), before);
 }
 
+// A click that is aimed at a control does not hit its neighbour.
+TEST_F(FormOfProtocol, KeepsWhatIsPointedAtInItsPlaceWhenProblemsAppear) {
+  open(library_text("semantic_differential"));
+  views_.setGeometry(0, 0, 760, 700);  // on the screen
+  type_into("/blocks/ratings/questions/0/name", "rougher");
+  control<QLineEdit>("/blocks/ratings/questions/1/name").setFocus();
+  QApplication::processEvents();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
+  auto& aimed_at = child<QToolButton>(form(), "remove:/blocks/ratings/questions/3");
+  child<QScrollArea>(form(), "form_area").ensureWidgetVisible(&aimed_at);
+  QApplication::processEvents();
+  const QPoint before = aimed_at.mapToGlobal(aimed_at.rect().center());
+  QCursor::setPos(before);
+  ASSERT_EQ(QApplication::widgetAt(before), &aimed_at);
+  Diagnostic problem{};
+  problem.pointer = "/blocks/ratings/questions/1/name";
+  problem.message = "a problem";
+  views_.show_problems({problem}, {});
+  QApplication::processEvents();
+  EXPECT_EQ(aimed_at.mapToGlobal(aimed_at.rect().center()), before);
+}
+
 TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
   Diagnostic problem{};
   problem.pointer = "/flow/0";

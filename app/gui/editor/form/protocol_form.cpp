@@ -12,6 +12,7 @@
 #include <QtCore/QPointer>
 #include <QtCore/QTimer>
 #include <QtCore/QtMath>
+#include <QtGui/QCursor>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QHBoxLayout>
@@ -184,26 +185,37 @@ void ProtocolForm::resizeEvent(QResizeEvent* event) {
   const int needed = std::max(qCeil(longest) + kAroundPageName, kLeastPagesWidth);
   pages_->setFixedWidth(width() < kRoomyWidth ? needed : kPagesWidth);
   fit_pages();
-  keep_focused_field();
+  keep_used_control();
 }
 
-/// The field in use stays in its place, and in sight, when sentences appear or disappear above it, or news below the form takes
-/// of its height.
-void ProtocolForm::keep_focused_field() {
+/// Null if the pointer has not moved since the last edit, or is over no control of a field.
+QWidget* ProtocolForm::pointed_control() const {
+  if (content_ == nullptr || QCursor::pos() == pointer_at_edit_) return nullptr;
+  QWidget* const control = QApplication::widgetAt(QCursor::pos());
+  const bool is_control = control != nullptr && control->focusPolicy() != Qt::NoFocus;
+  return is_control && content_->isAncestorOf(control) ? control : nullptr;
+}
+
+/// What the user points to, or else the field in use, stays in its place, and in sight, when sentences appear or disappear above
+/// it, or news below the form takes of its height.
+void ProtocolForm::keep_used_control() {
   QWidget* const focused = QApplication::focusWidget();
-  const bool is_here = focused != nullptr && content_ != nullptr && content_->isAncestorOf(focused);
+  QWidget* const pointed = pointed_control();
+  QWidget* const used = pointed != nullptr ? pointed : focused;
+  const bool is_here = used != nullptr && content_ != nullptr && content_->isAncestorOf(used);
   if (kept_ != nullptr || !is_here) return;
-  kept_ = focused;
-  place_of_kept_ = place_of(*focused);
-  is_kept_in_sight_ = !focused->visibleRegion().isEmpty();
-  QTimer::singleShot(0, this, [this] {  // a label finds its height when it is shown
-    put_kept_field_back();
+  kept_ = used;
+  place_of_kept_ = place_of(*used);
+  is_kept_in_sight_ = !used->visibleRegion().isEmpty();
+  QTimer::singleShot(0, this, [this, focused = QPointer(focused)] {
+    // A label finds its height when it is shown.
+    if (QApplication::focusWidget() == focused) put_kept_control_back();
     kept_ = nullptr;
   });
 }
 
-void ProtocolForm::put_kept_field_back() {
-  if (kept_ == nullptr || !kept_->hasFocus()) return;
+void ProtocolForm::put_kept_control_back() {
+  if (kept_ == nullptr) return;
   send_layouts();
   scroll_by(place_of(*kept_) - place_of_kept_);
   if (is_kept_in_sight_) area_->ensureWidgetVisible(kept_, 0, 0);
@@ -249,6 +261,7 @@ bool ProtocolForm::commit() {
 void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
   if (!can_be_edited_ || read_only_ || context_.is_refreshing) return;
   commit();
+  pointer_at_edit_ = QCursor::pos();
   FormEdit edited{};
   try {
     edited = change(context_.source->document());
@@ -446,9 +459,9 @@ void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
   add(State::stop, problems);
   add(State::look, warnings);
   count_problems();
-  keep_focused_field();
+  keep_used_control();
   refresh();
-  put_kept_field_back();
+  put_kept_control_back();
 }
 
 void ProtocolForm::scroll_by(int step) {

@@ -93,8 +93,9 @@ class ProtocolForm final : public QWidget {
   void order_for_keyboard();
   void scroll_to(int value);
   void scroll_by(int step);
-  void keep_focused_field();
-  void put_kept_field_back();
+  QWidget* pointed_control() const;
+  void keep_used_control();
+  void put_kept_control_back();
   /// In the part of the page that is in sight, from its top.
   int place_of(const QWidget& control) const;
   /// To the control of this object name or of this part, after it was made again.
@@ -117,7 +118,8 @@ class ProtocolForm final : public QWidget {
   bool can_be_edited_ = false;
   bool read_only_ = false;
   bool was_refused_ = false;  ///< the last edit
-  QPointer<QWidget> kept_{};  ///< the field in use, until the layout has settled
+  QPointer<QWidget> kept_{};  ///< the control in use, until the layout has settled
+  QPoint pointer_at_edit_{};  ///< on the screen, at the last edit
   int place_of_kept_ = 0;
   bool is_kept_in_sight_ = false;
   std::vector<FormPart*> parts_{};
