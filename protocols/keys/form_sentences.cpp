@@ -97,9 +97,9 @@ Phrase quoted_value(const json& value) {
 }
 
 Phrase with_meaning(const Phrase& problem, std::string_view meaning) {
-  return meaning.empty()
-             ? problem
-             : phrase("Protocols", "%1. Expected here: %2").with(problem, phrase_of_key(meaning));
+  return meaning.empty() ? problem
+                         : phrase("MeaningsOfKeys", "%1. Expected here: %2")
+                               .with(problem, phrase_of_key(meaning));
 }
 
 Phrase unknown_key(const std::string& key, const std::vector<std::string>& known) {

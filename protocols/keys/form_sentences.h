@@ -19,6 +19,8 @@ Phrase quoted_value(const nlohmann::json& value);
 /// The number that a value of the shape can be; null if it can be none.
 const NumberShape* number_in(const ValueShape& shape);
 
+/// The context of problems with the meaning of the key: a form shows the meaning next to the field.
+inline constexpr const char* kMeaningsOfKeys = "MeaningsOfKeys";
 /// "PROBLEM. Expected here: MEANING"; the problem alone without a meaning.
 Phrase with_meaning(const Phrase& problem, std::string_view meaning);
 

@@ -69,9 +69,9 @@ constexpr auto kQuestionKeys =
 constexpr ValueShape kScaleLabel = kShownText;
 
 constexpr auto kScaleKeys = keys_of(
-    member_key<&ScaleForm::minimum>("minimum", "Left end", "The value at the left end.",
+    member_key<&ScaleForm::minimum>("minimum", "Minimum (left end)", "The value at the left end.",
                                     NumberShape{}),
-    member_key<&ScaleForm::maximum>("maximum", "Right end", "The value at the right end.",
+    member_key<&ScaleForm::maximum>("maximum", "Maximum (right end)", "The value at the right end.",
                                     NumberShape{}),
     member_key<&ScaleForm::points>("points", "Points",
                                    "Number of equally spaced points, both ends included; absent: "

@@ -120,6 +120,7 @@ QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remar
     const std::string_view of(context);
     if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
     if (of == kNumbersOfFile) return number_in_form(number, words, windows);
+    if (of == kMeaningsOfKeys) return std::string("%1");
     if (of == kUnitOfNumber) return number ? std::string() : std::string(words);
     const bool has_other_unit = number && !number->display.unit.empty();
     if (of == kUnitsOfFile && has_other_unit) return std::string();

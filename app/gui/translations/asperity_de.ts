@@ -9331,16 +9331,8 @@
         <translation>Ob die Frage unbeantwortet bleiben darf.</translation>
     </message>
     <message>
-        <source>Left end</source>
-        <translation>Linkes Ende</translation>
-    </message>
-    <message>
         <source>The value at the left end.</source>
         <translation>Der Wert am linken Ende.</translation>
-    </message>
-    <message>
-        <source>Right end</source>
-        <translation>Rechtes Ende</translation>
     </message>
     <message>
         <source>The value at the right end.</source>
@@ -10266,6 +10258,14 @@
         <source>whether the dissimilarities of the pairs differ between two groups, for every pair of groups</source>
         <translation>ob sich die Unähnlichkeiten der Paare zwischen zwei Gruppen unterscheiden, für jedes Paar von Gruppen</translation>
     </message>
+    <message>
+        <source>Minimum (left end)</source>
+        <translation>Minimum (linkes Ende)</translation>
+    </message>
+    <message>
+        <source>Maximum (right end)</source>
+        <translation>Maximum (rechtes Ende)</translation>
+    </message>
 </context>
 <context>
     <name>LabelNotice</name>
@@ -10347,6 +10347,13 @@
     <message>
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
+    <name>MeaningsOfKeys</name>
+    <message>
+        <source>%1. Expected here: %2</source>
+        <translation>%1. Hier erwartet: %2</translation>
     </message>
 </context>
 <context>
@@ -13393,10 +13400,6 @@
     <message>
         <source>true or false</source>
         <translation>true oder false</translation>
-    </message>
-    <message>
-        <source>%1. Expected here: %2</source>
-        <translation>%1. Hier erwartet: %2</translation>
     </message>
     <message>
         <source>there is no key %1 here</source>

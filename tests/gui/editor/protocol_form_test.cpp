@@ -408,9 +408,13 @@ TEST_F(FormOfProtocol, TakesATextureForALevelFromThoseThatContainWhatIsTyped) {
   QApplication::processEvents();
   EXPECT_EQ(line.text(), "cones_05");
   EXPECT_TRUE(refusal.startsWith("Surfaces › Factors › texture › Levels")) << refusal.toStdString();
+  const auto& at_field = child<QLabel>(*part(level), "form_problem");
+  EXPECT_TRUE(at_field.isVisible());
+  EXPECT_TRUE(at_field.text().contains("cones_35")) << at_field.text().toStdString();
   type_into(level, "leather");  // no texture is renamed
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], "leather");
+  EXPECT_FALSE(at_field.isVisible());
   EXPECT_EQ(tree()["textures"], before["textures"]);
   undo();
   undo();

@@ -33,8 +33,9 @@ struct FormContext {
   using Edit = std::function<FormEdit(const JsonDocument&)>;
 
   std::shared_ptr<const FormSource> source{};
-  /// Edits the text. Edits in succession with the same `step` that is not empty are one step of the undo.
-  std::function<void(const Edit& edit, const std::string& step)> edit{};
+  /// Edits the text. Edits in succession with the same `step` that is not empty are one step of the undo. Returns why the edit
+  /// is refused, or an empty text.
+  std::function<QString(const Edit& edit, const std::string& step)> edit{};
   std::function<void(const std::string& pointer)> show_in_text{};
   /// Shows the page with the value, whose field gets the focus.
   std::function<void(const std::string& pointer)> go_to{};

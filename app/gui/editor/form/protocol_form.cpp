@@ -138,7 +138,7 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   help_->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
   right->addWidget(help_);
   context_.edit = [this](const FormContext::Edit& change, const std::string& step) {
-    edit(change, step);
+    return edit(change, step);
   };
   context_.refresh = [this] { refresh(); };
   context_.go_to = [this](const std::string& pointer) { go_to(pointer); };
@@ -258,8 +258,8 @@ bool ProtocolForm::commit() {
   return !was_refused_;
 }
 
-void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
-  if (!can_be_edited_ || read_only_ || context_.is_refreshing) return;
+QString ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
+  if (!can_be_edited_ || read_only_ || context_.is_refreshing) return {};
   commit();
   pointer_at_edit_ = QCursor::pos();
   FormEdit edited{};
@@ -268,14 +268,16 @@ void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step
   } catch (const ProtocolError& error) {
     const nlohmann::json& protocol = context_.source->document().root();
     was_refused_ = true;
-    emit edit_refused(remark_in_form(protocol, error.diagnostics().front()));
-    return;
+    const Diagnostic& refusal = error.diagnostics().front();
+    emit edit_refused(remark_in_form(protocol, refusal));
+    return sentence_in_form(protocol, refusal);
   } catch (const std::exception& error) {
     was_refused_ = true;
     emit edit_refused(words_of(phrase_of(error)));
-    return;
+    return words_of(phrase_of(error));
   }
   emit edit_made(edited.text, step);
+  return {};
 }
 
 void ProtocolForm::show_text(const std::string& written) {

@@ -82,7 +82,7 @@ class ProtocolForm final : public QWidget {
 
  private:
   void make_page();
-  void edit(const FormContext::Edit& edit, const std::string& step);
+  QString edit(const FormContext::Edit& edit, const std::string& step);
   void act_on_entry(EntryAction action);
   void show_unreadable(const QString& why);
   void follow_names(const std::shared_ptr<const FormSource>& before);

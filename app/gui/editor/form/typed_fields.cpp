@@ -266,10 +266,12 @@ DeclaredNameField::DeclaredNameField(FormContext& context, Named named, TextFiel
     : FormPart(context, pointer, parent), named_(named), values_(values), of_(of) {
   // The value of a member has the pointer as its object name.
   if (named == Named::by_key) setObjectName("name:" + text(pointer));
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   line_ = new WithoutUndo<QLineEdit>(this);
   layout->addWidget(line_);
+  refusal_ = make_problem_label(this);
+  layout->addWidget(refusal_);
   setFocusProxy(line_);
   if (values == TextField::Values::levels) {
     new OfferedNames(
@@ -307,6 +309,7 @@ FormEdit DeclaredNameField::renamed(const JsonDocument& document, const QString&
 }
 
 void DeclaredNameField::wait_for_the_rest() {
+  refusal_->hide();
   is_typed_ = true;
   context().write_pending = [this] { take(); };
 }
@@ -320,15 +323,19 @@ void DeclaredNameField::take() {
   const bool is_removed = typed.isEmpty() && of_.may_be_absent();
   // The edit makes this field again where it is the key of a card.
   const QPointer<DeclaredNameField> still_there(this);
-  context().edit(
+  const QString refusal = context().edit(
       [&](const JsonDocument& document) {
         return is_removed ? without(document, std::array{pointer()}) : renamed(document, typed);
       },
       {});
-  if (still_there) refresh();  // a name that is refused is not in the text
+  if (!still_there) return;
+  refused_in_ = context().source;
+  refresh();  // a name that is refused is not in the text
+  show_problem(*refusal_, refusal);
 }
 
 void DeclaredNameField::refresh() {
+  if (refused_in_ != context().source) refusal_->hide();
   if (is_typed_) return;
   if (line_->text() != name()) line_->setText(name());
 }

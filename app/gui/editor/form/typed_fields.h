@@ -108,7 +108,9 @@ class DeclaredNameField final : public FormPart {
   TextField::Values values_ = TextField::Values::texts;
   FieldOf of_{};
   QLineEdit* line_ = nullptr;
-  bool is_typed_ = false;  ///< and not written yet
+  QLabel* refusal_ = nullptr;  ///< why the name that was typed last cannot be written
+  std::shared_ptr<const FormSource> refused_in_{};
+  bool is_typed_ = false;      ///< and not written yet
 };
 
 }  // namespace asperity
