@@ -3,6 +3,7 @@
 #include "app/tasks/protocol_templates.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -175,6 +176,8 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
 
 std::string text_from_template(const TemplateChoice& choice) {
   std::string text = text_in_language(library_protocol(choice.name), choice.language);
+  // The new protocol has an author of its own.
+  text = without(JsonDocument(text, choice.name), std::array<std::string, 1>{"/authors"}).text;
   if (!choice.title.empty()) {
     const std::string title = json_string(choice.title);
     text = with_value(JsonDocument(text, choice.name), "/title", title).text;

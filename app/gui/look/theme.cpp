@@ -135,10 +135,13 @@ QString style_sheet_of(const Theme& look) {
     QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     QCheckBox { spacing: 8px; }
-    QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid %muted; border-radius: 3px; background: %panel; }
-    QCheckBox::indicator:checked { border-color: %press; background: %press; image: url(:/look/check-%mode.svg); }
+    QCheckBox::indicator, QTableView::indicator, QListView::indicator {
+      width: 16px; height: 16px; border: 1px solid %muted; border-radius: 3px; background: %panel; }
+    QCheckBox::indicator:checked, QTableView::indicator:checked, QListView::indicator:checked {
+      border-color: %press; background: %press; image: url(:/look/check-%mode.svg); }
     QCheckBox::indicator:focus { border: 2px solid %press; }
-    QCheckBox::indicator:disabled { border-color: %line; background: %ground; }
+    QCheckBox::indicator:disabled, QTableView::indicator:disabled, QListView::indicator:disabled {
+      border-color: %line; background: %ground; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }
     QTableView:focus, QTreeView:focus, QListView:focus { border-color: %press; }

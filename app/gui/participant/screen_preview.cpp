@@ -6,10 +6,10 @@
 #include <variant>
 
 #include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/fitted_label.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
 #include "app/gui/participant/participant_view.h"
@@ -92,20 +92,22 @@ ScreenPreview::ScreenPreview(std::filesystem::path study, QWidget* parent)
   back_->setObjectName("screen_back");
   next_ = make_button(tr("Next →"), ButtonRole::plain, this);
   next_->setObjectName("screen_next");
-  words_ = make_text({}, this, true);
+  // In one line, so that the buttons stay in their place from step to step.
+  words_ = new FittedLabel(this);
   words_->setObjectName("screen_words");
-  words_->setAlignment(Qt::AlignCenter);
+  words_->setProperty("role", "muted");
+  words_->set_smaller_font(text_font(TextSize::small));
   row_->addWidget(back_);
-  row_->addWidget(words_, 1);
+  row_->addStretch(1);
   row_->addWidget(next_);
   layout_->addLayout(row_);
+  layout_->addWidget(words_);
   connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
   connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
 }
 
 void ScreenPreview::add_group_choice(QWidget* choice) {
-  constexpr int kAfterWords = 2;
-  row_->insertWidget(kAfterWords, choice);
+  row_->insertWidget(1, choice);
   has_group_choice_ = true;
 }
 
@@ -144,7 +146,7 @@ void ScreenPreview::forget() {
   plan_ = nullptr;
   viewed_ = nullptr;
   screen_ = 0;
-  words_->setText(tr("The plan is being made…"));
+  words_->show_text(tr("The plan is being made…"));
   back_->setEnabled(false);
   next_->setEnabled(false);
 }
@@ -190,7 +192,7 @@ void ScreenPreview::show_screen() {
   } else if (screens_.size() > 1) {
     words = tr("%1, screen %2 of %3").arg(words).arg(screen_ + 1).arg(screens_.size());
   }
-  words_->setText(words);
+  words_->show_text(words);
   monitor_->show(screens_.empty() ? ParticipantScene{} : screens_[screen_]);
 }
 

@@ -12,12 +12,12 @@
 #include "app/session/session_monitor.h"
 
 class QHBoxLayout;
-class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
 namespace asperity {
 
+class FittedLabel;
 class ParticipantView;
 
 /// What a participant reads, sees and is asked at a step, drawn by the participant's window and scaled down, without input.
@@ -28,7 +28,7 @@ class ScreenPreview final : public QWidget {
   explicit ScreenPreview(std::filesystem::path study, QWidget* parent = nullptr);
   ~ScreenPreview() override;
 
-  /// Shows the choice of the group next to the number of the step, which then does not name the group.
+  /// Shows the choice of the group above the number of the step, which then does not name the group.
   void add_group_choice(QWidget* choice);
 
   /// Shows the screens of a step, once it is visible. The texts of the steps are as participants read them.
@@ -64,7 +64,7 @@ class ScreenPreview final : public QWidget {
   QVBoxLayout* layout_ = nullptr;
   QHBoxLayout* row_ = nullptr;
   bool has_group_choice_ = false;
-  QLabel* words_ = nullptr;
+  FittedLabel* words_ = nullptr;
   QPushButton* back_ = nullptr;
   QPushButton* next_ = nullptr;
 };

@@ -119,8 +119,8 @@ void SessionControls::write() {
   set_words(*stop_block_,
             s.stop_pending == StopAfter::block ? tr("Do not stop") : tr("Stop after block"),
             tr("F8"));
-  set_words(*repeat_, tr("Repeat last…"), tr("Ctrl+R"));
-  set_words(*skip_, tr("Skip…"), {});
+  set_words(*repeat_, s.only_tried ? tr("Repeat last") : tr("Repeat last…"), tr("Ctrl+R"));
+  set_words(*skip_, s.only_tried ? tr("Skip") : tr("Skip…"), {});
   set_words(*note_, tr("Note"), tr("F2"));
   set_words(*abort_,
             s.preparing    ? tr("Cancel")

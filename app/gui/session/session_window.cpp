@@ -106,8 +106,13 @@ void SessionWindow::connect_parts() {
   connect(keys_, &SessionKeys::wanted, this, &SessionWindow::do_verb);
   connect(header_, &SessionHeader::emergency, this, &SessionWindow::do_emergency_stop);
   connect(controls_, &SessionControls::wanted, this, &SessionWindow::do_verb);
-  connect(controls_, &SessionControls::skip_wanted, this,
-          [this] { questions_->ask_to_skip(shown_.trial); });
+  connect(controls_, &SessionControls::skip_wanted, this, [this] {
+    if (only_tried_) {
+      requests_.skip(phrase_of(Reason::stopped_as_asked));
+    } else {
+      questions_->ask_to_skip(shown_.trial);
+    }
+  });
   connect(header_, &SessionHeader::unblind_pressed, this, &SessionWindow::change_blindness);
   connect(notes_, &NotesPanel::noted, this, [this](const QString& text) {
     requests_.note(offered_or_typed(text, offered_reasons(ReasonFor::noting)));
@@ -228,6 +233,10 @@ void SessionWindow::do_verb(SessionVerb verb) {
     case SessionVerb::repeat_last:
       if (shown_.attempts->empty() || pending.repeat_last) break;
       if (shown_.purpose == AttemptPurpose::refresher) break;
+      if (only_tried_) {
+        requests_.repeat_last(phrase_of(Reason::stopped_as_asked));
+        break;
+      }
       if (field_lock().isEmpty()) take_keyboard();
       questions_->ask_to_repeat();
       break;

@@ -34,7 +34,9 @@ namespace {
 
 constexpr QSize kSize{1120, 700};
 constexpr int kTableWidth = 400;
-constexpr int kReliefsHeight = 120;
+constexpr int kFewestReliefs = 2;
+constexpr int kMostReliefs = 10;
+constexpr int kLeastRowHeight = 20;
 
 QString trials_of(const TemplateOverview& overview) {
   return QString::number(overview.cost.trials);
@@ -71,7 +73,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Experiment"), 0, Align::text},
                            {tr("Method"), 152, Align::text},
-                           {tr("Trials"), 80, Align::number},
+                           {tr("Trials"), 104, Align::number},
                            {tr("Minutes"), 72, Align::number}},
                           this);
   table_->setObjectName("template_table");
@@ -145,12 +147,11 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   reliefs_->setObjectName("template_reliefs");
   reliefs_->setAccessibleName(tr("Textures of this study"));
   reliefs_->setDragDropMode(QAbstractItemView::InternalMove);
-  reliefs_->setFixedHeight(kReliefsHeight);
   state_ = new StateLabel(surfaces_);
   state_->setObjectName("template_state");
   state_->setWordWrap(true);
   for (QWidget* const widget :
-       std::initializer_list<QWidget*>{needs_, copied_, own_, reliefs_, state_}) {
+       std::initializer_list<QWidget*>{needs_, copied_, own_, make_ticks(), reliefs_, state_}) {
     surfaces->addWidget(widget);
   }
   surfaces_->hide();
@@ -177,6 +178,28 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::check_chosen);
   connect(reliefs_->model(), &QAbstractItemModel::rowsMoved, this, &TemplateDialog::check_chosen);
   return scroll;
+}
+
+/// Ticks all textures of the study, or none.
+QWidget* TemplateDialog::make_ticks() {
+  ticks_ = new QWidget(surfaces_);
+  auto* row = new QHBoxLayout(ticks_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kMargin);
+  const auto add = [this, row](const QString& words, const char* name, Qt::CheckState state) {
+    QPushButton* button = make_button(words, ButtonRole::link, ticks_);
+    button->setObjectName(name);
+    row->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, state] {
+      const QSignalBlocker quiet(reliefs_);
+      for (int i = 0; i < reliefs_->count(); ++i) reliefs_->item(i)->setCheckState(state);
+      check_chosen();
+    });
+  };
+  add(tr("All"), "template_all", Qt::Checked);
+  add(tr("None"), "template_none", Qt::Unchecked);
+  row->addStretch(1);
+  return ticks_;
 }
 
 /// The title of the new protocol, and its language.
@@ -236,6 +259,9 @@ void TemplateDialog::show_content(Content content) {
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Checked);
   }
+  const int shown = std::clamp(reliefs_->count(), kFewestReliefs, kMostReliefs);
+  reliefs_->setFixedHeight(shown * std::max(reliefs_->sizeHintForRow(0), kLeastRowHeight) +
+                           2 * reliefs_->frameWidth());
   table_->fill(rows);
   show_chosen();
 }
@@ -446,6 +472,7 @@ std::vector<OwnTexture> TemplateDialog::ticked() const {
 void TemplateDialog::show_what_follows() {
   const TemplateOverview* const overview = chosen();
   reliefs_->setEnabled(own_->isChecked());
+  ticks_->setEnabled(own_->isChecked());
   const bool has_textures = overview != nullptr && !overview->textures.names.empty();
   const bool is_chosen = own_->isChecked() || copied_->isChecked();
   QString wrong{};

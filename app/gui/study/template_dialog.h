@@ -56,6 +56,7 @@ class TemplateDialog final : public QDialog {
   };
 
   QWidget* make_detail(const std::filesystem::path& study);
+  QWidget* make_ticks();
   QWidget* make_texts();
   void show_content(Content content);
   void show_chosen();
@@ -91,6 +92,7 @@ class TemplateDialog final : public QDialog {
   QLabel* needs_ = nullptr;
   QRadioButton* own_ = nullptr;
   QRadioButton* copied_ = nullptr;
+  QWidget* ticks_ = nullptr;
   QListWidget* reliefs_ = nullptr;
   StateLabel* state_ = nullptr;  ///< of the protocol with the chosen textures
   bool is_checking_ = false;

@@ -21633,6 +21633,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Repeat: practice is being repeated, which does not count.</source>
         <translation>Wiederholen: Es wird Übung wiederholt, die nicht zählt.</translation>
     </message>
+    <message>
+        <source>Repeat last</source>
+        <translation>Letzten wiederholen</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionDesk</name>
@@ -23212,6 +23220,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Choose other textures.</source>
         <translation>Andere Texturen wählen.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
 </context>
 <context>

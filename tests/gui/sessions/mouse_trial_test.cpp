@@ -4,6 +4,7 @@
 #include <QtWidgets/QDialog>
 #include <gtest/gtest.h>
 
+#include "app/gui/session/reason_form.h"
 #include "protocols/file/library_protocols.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/gui/sessions/mouse_trial_room.h"
@@ -42,6 +43,18 @@ TEST_F(MouseTrials, EndWithoutAQuestion) {
   begin_by_mouse("small");
   experimenter().refresh();
   EXPECT_TRUE(child<QPushButton>(experimenter(), "abort").text().startsWith("End"));
+  const auto& skip = child<QPushButton>(experimenter(), "skip");
+  wait_for("a trial", [&] {
+    experimenter().refresh();
+    return skip.isEnabled();
+  });
+  EXPECT_TRUE(skip.text().startsWith("Skip") && !skip.text().contains("…"));
+  click(experimenter(), "skip");
+  EXPECT_FALSE(child<ReasonForm>(experimenter(), "reason_form").isVisible());
+  wait_for("the second trial", [&] {
+    experimenter().refresh();
+    return skip.isEnabled() && monitor().snapshot().trial == 2;
+  });
   click(experimenter(), "abort");
   expect_end();
   begin_by_mouse("small");
