@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of the pages of
-the form of a protocol and of the tests of kinds as lines that lupdate reads."""
+"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of the designs
+of a discrimination, of the tests of kinds and of the pages of the form of a protocol as lines that lupdate reads."""
 import pathlib
 import re
 import sys
@@ -73,6 +73,9 @@ def texts_in(source):
             open_brackets.append((token, name_before(tokens, at), [[]]))
         # .meaning = "…", and constants such as kNameMeaning
         if isinstance(token, tuple) and tokens[at - 1] == "=" and str(tokens[at - 2]).lower().endswith("meaning"):
+            yield token[0]
+        # the name of a design: .name = "…", with blanks, which names of keys do not have
+        if isinstance(token, tuple) and tokens[at - 3 : at] == [".", "name", "="] and " " in token[0]:
             yield token[0]
 
 

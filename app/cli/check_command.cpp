@@ -124,7 +124,7 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Sti
     json["contact_s"] = check.cost.contact_s;
     json["total_s"] = check.cost.total_s;
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
-    if (!check.designs.empty()) json["designs"] = check.designs;
+    for (const auto& [block, design] : check.designs) json["designs"][block] = design.english();
     json["drag"] = json_of(drags);
     json["files_not_examined"] =
         examines_files ? std::set<std::string>{} : named_files(*check.protocol);
@@ -299,7 +299,7 @@ void add_check(CLI::App& program, Job& job) {
                     << fixed(check.cost.longest_without_break_s / 60.0, 1)
                     << " min without a break\n";
           for (const auto& [block, design] : check.designs) {
-            std::cout << check.file << ": block " << block << ": " << design << '\n';
+            std::cout << check.file << ": block " << block << ": " << design.english() << '\n';
           }
           if (check.protocol->groups) {
             std::cout << check.file << ": groups: " << groups_text(*check.protocol) << '\n';

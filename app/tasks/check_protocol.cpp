@@ -177,7 +177,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   append(check.warnings, warnings_about_texture_use(*check.protocol, check.file));
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;
-    if (std::string design = design_of(*check.protocol, block, example); !design.empty()) {
+    if (Phrase design = design_of(*check.protocol, block, example); !design.empty()) {
       check.designs.emplace(name, std::move(design));
     }
   }

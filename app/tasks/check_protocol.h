@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/words/phrase.h"
 #include "app/study_files/height_field_files.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
@@ -26,7 +27,7 @@ struct ProtocolCheck {
   std::optional<Protocol> protocol{};
   PlanCost cost{};
   /// The design of each main block that has one in words (`design_of`), by the name of the block.
-  std::map<std::string, std::string> designs{};
+  std::map<std::string, Phrase> designs{};
 
   bool is_valid() const noexcept { return protocol && diagnostics.empty(); }
 };

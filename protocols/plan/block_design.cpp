@@ -10,6 +10,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/psychometric/psychometric_function.h"
 #include "protocols/design/block_factors.h"
+#include "protocols/design/wording.h"
 #include "protocols/kinds/kind_list.h"
 #include "protocols/plan/block_rows.h"
 
@@ -68,7 +69,49 @@ double information_of_tracks(const Block& block, const PsychometricFunction& f) 
   return sum / static_cast<double>(sets);
 }
 
-std::string per_cent(double proportion) { return fixed(100.0 * proportion, 1) + " %"; }
+/// "TEXT, NEXT"
+Phrase followed(const Phrase& text, const Phrase& next) {
+  return phrase("Lists", "%1, %2").with(text, next);
+}
+
+Phrase trials_text(std::size_t trials) {
+  return trials == 1 ? phrase("Protocols", "1 trial")
+                     : phrase("Protocols", "%1 trials").with(std::to_string(trials));
+}
+
+Phrase method_text(const ProcedureSettings& settings) {
+  if (const auto* const transformed = std::get_if<TransformedUpDown>(&settings)) {
+    const UpDownRule& rule = transformed->track.rule;
+    return phrase("Protocols", "%1-down/%2-up staircase")
+        .with(std::to_string(rule.down), std::to_string(rule.up));
+  }
+  if (std::holds_alternative<WeightedUpDown>(settings)) {
+    return phrase("Protocols", "weighted up-down staircase");
+  }
+  if (posterior_track_of(settings) != nullptr) {
+    return procedure_of(settings).id == psi().id ? phrase("Protocols", "psi procedure") : "QUEST+";
+  }
+  if (std::holds_alternative<External>(settings)) {
+    return phrase("Protocols", "levels of an external program (unknown before the session)");
+  }
+  return phrase("Protocols", "constant stimuli");
+}
+
+/// "constant stimuli, 5 levels × 16 presentations"
+Phrase constant_text(const Block& block) {
+  const std::size_t levels = block.vary->levels().size();
+  const std::size_t each =
+      static_cast<std::size_t>(block.repetitions) * block.design()->trials.size();
+  Phrase text = followed(
+      phrase("Protocols", "constant stimuli"),
+      phrase("Protocols", "%1 × %2")
+          .with(levels == 1 ? phrase("Protocols", "1 level")
+                            : phrase("Protocols", "%1 levels").with(std::to_string(levels)),
+                each == 1 ? phrase("Protocols", "1 presentation")
+                          : phrase("Protocols", "%1 presentations").with(std::to_string(each))));
+  if (!block.design()->has_noise()) return text;
+  return followed(text, phrase("Protocols", "half of them without a difference"));
+}
 
 }  // namespace
 
@@ -98,73 +141,65 @@ std::optional<double> least_threshold_error(const Block& block) {
   return 1.0 / std::sqrt(information);
 }
 
-std::string presentation_text(const Block& block) {
+Phrase presentation_text(const Block& block) {
   const Arrangement& arrangement = block.arrangement;
   const bool is_sequential = arrangement.surfaces == Arrangement::Surfaces::sequential;
-  const std::string task = block.design() == &two_alternatives() && is_sequential
-                               ? "two-interval forced choice"
-                               : std::string(block.design()->name);
+  const Phrase task = block.design() == &two_alternatives() && is_sequential
+                          ? phrase("Protocols", "two-interval forced choice")
+                          : phrase_of_key(block.design()->name);
   switch (arrangement.surfaces) {
-    case Arrangement::Surfaces::sequential:
-      return task +
-             (block.design()->surfaces() == 1 ? ", one surface in each trial"
-                                              : ", one surface after the other") +
-             (arrangement.minimum_visits == 1
-                  ? std::string()
-                  : ", each presented " + std::to_string(arrangement.minimum_visits) + " times");
+    case Arrangement::Surfaces::sequential: {
+      const Phrase text = followed(task, block.design()->surfaces() == 1
+                                             ? phrase("Protocols", "one surface in each trial")
+                                             : phrase("Protocols", "one surface after the other"));
+      if (arrangement.minimum_visits == 1) return text;
+      return followed(text, phrase("Protocols", "each presented %1 times")
+                                .with(std::to_string(arrangement.minimum_visits)));
+    }
     case Arrangement::Surfaces::side_by_side:
-      return task + ", side by side";
+      return followed(task, phrase("Protocols", "side by side"));
     case Arrangement::Surfaces::on_request:
-      return task + ", surfaces felt on request";
+      return followed(task, phrase("Protocols", "surfaces felt on request"));
   }
   return {};
 }
 
-std::string procedure_text(const Protocol::Block& block) {
+Phrase procedure_text(const Protocol::Block& block) {
   const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
   const ProcedureSettings& first = tracks.front();
   const Procedure& procedure = procedure_of(first);
-  std::string text = "constant stimuli";
-  if (const auto* const transformed = std::get_if<TransformedUpDown>(&first)) {
-    text = std::to_string(transformed->track.rule.down) + "-down/" +
-           std::to_string(transformed->track.rule.up) + "-up staircase";
-  } else if (std::holds_alternative<WeightedUpDown>(first)) {
-    text = "weighted up-down staircase";
-  } else if (posterior_track_of(first) != nullptr) {
-    text = procedure.id == psi().id ? "psi procedure" : "QUEST+";
-  } else if (std::holds_alternative<External>(first)) {
-    text = "levels of an external program (unknown before the session)";
+  Phrase text = method_text(first);
+  if (const auto target = procedure.target(first)) {
+    text = phrase("Protocols", "%1 (%2 %)").with(text, fixed(100.0 * *target, 1));
   }
-  if (const auto target = procedure.target(first)) text += " (" + per_cent(*target) + ")";
-  text += procedure.has_fixed_length(first) ? ", " : ", at most ";
-  text += counted(procedure.most_trials(first), "trial", "trials");
+  Phrase length = trials_text(procedure.most_trials(first));
+  if (!procedure.has_fixed_length(first)) {
+    length = phrase("Protocols", "at most %1").with(length);
+  }
   if (tracks.size() > 1) {
-    text += " × " + std::to_string(tracks.size());
-    text += block.order == Block::Order::fixed ? " tracks" : " interleaved tracks";
+    length =
+        (block.order == Block::Order::fixed ? phrase("Protocols", "%1 × %2 tracks")
+                                            : phrase("Protocols", "%1 × %2 interleaved tracks"))
+            .with(length, std::to_string(tracks.size()));
   }
-  if (const auto& catch_trials = block.procedure->catch_trials) {
-    text += ", one catch trial in every " + std::to_string(catch_trials->every) + " trials";
-  }
-  return text;
+  text = followed(text, length);
+  const auto& catch_trials = block.procedure->catch_trials;
+  if (!catch_trials) return text;
+  return followed(text, phrase("Protocols", "one catch trial in every %1 trials")
+                            .with(std::to_string(catch_trials->every)));
 }
 
-std::string design_of(const Protocol& protocol, const Block& block, const Plan& plan) {
+Phrase design_of(const Protocol& protocol, const Block& block, const Plan& plan) {
   if (block.kind != discrimination_kind().id || !block.vary) return {};
-  std::string text = presentation_text(block) + ", ";
-  if (block.procedure) {
-    text += procedure_text(block);
-  } else {
-    text += "constant stimuli, " + counted(block.vary->levels().size(), "level", "levels") + " × " +
-            counted(static_cast<std::size_t>(block.repetitions) * block.design()->trials.size(),
-                    "presentation", "presentations") +
-            (block.design()->has_noise() ? ", half of them without a difference" : "");
-  }
+  Phrase text = followed(presentation_text(block),
+                         block.procedure ? procedure_text(block) : constant_text(block));
   Block alone = block;
   alone.vary.reset();
   alone.procedure.reset();
   alone.own = DiscriminationBlock{};
   if (const std::size_t rows = row_count(protocol, alone); rows > 1) {
-    text += ", for each of " + std::to_string(rows) + " conditions";
+    text =
+        followed(text, phrase("Protocols", "for each of %1 conditions").with(std::to_string(rows)));
   }
   double time_s = 0.0;
   for (const PlanStep& step : plan.steps) {
@@ -172,10 +207,10 @@ std::string design_of(const Protocol& protocol, const Block& block, const Plan& 
     if (of_trial == nullptr || plan.trials[of_trial->trial].block != block.name) continue;
     time_s += cost_of(protocol, plan, step).total_s;
   }
-  text += ", about " + fixed(time_s / 60.0, 0) + " min";
+  text = followed(text, phrase("Protocols", "about %1 min").with(fixed(time_s / 60.0, 0)));
   if (const auto error = least_threshold_error(block)) {
-    text += "; standard error of the log10 threshold at least " + fixed(*error, 2) +
-            " (β = " + number_text(kIncrementSlope) + ")";
+    text = phrase("Protocols", "%1; standard error of the log10 threshold at least %2 (β = %3)")
+               .with(text, fixed(*error, 2), number_text(kIncrementSlope));
   }
   return text;
 }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "analysis/words/phrase.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -27,15 +27,15 @@ std::optional<double> least_threshold_error(const Protocol::Block& block);
 
 /// The task of a discrimination block and how its surfaces are presented, as a methods section states it: "two-interval forced
 /// choice, one surface after the other", "same–different task, side by side".
-std::string presentation_text(const Protocol::Block& block);
+Phrase presentation_text(const Protocol::Block& block);
 
 /// "3-down/1-up staircase (79.4 %), 60 trials × 2 interleaved tracks", "constant stimuli, 60 trials". Requires a
 /// procedure.
-std::string procedure_text(const Protocol::Block& block);
+Phrase procedure_text(const Protocol::Block& block);
 
 /// "two-interval forced choice, one surface after the other, 3-down/1-up staircase (79.4 %), 60 trials × 2 interleaved tracks,
 /// about 22 min; standard error of the log10 threshold at least 0.09 (β = 1.3)"; empty for a block of another kind.
 /// `plan` is an example plan of the protocol.
-std::string design_of(const Protocol& protocol, const Protocol::Block& block, const Plan& plan);
+Phrase design_of(const Protocol& protocol, const Protocol::Block& block, const Plan& plan);
 
 }  // namespace asperity

@@ -159,7 +159,8 @@ TEST(ChoiceOfThree, CountsItsRowsAsItMakesThem) {
 TEST(ChoiceOfThree, IsStatedInTheDesignOfTheBlock) {
   const auto stated = [](const std::string& design) {
     const Protocol protocol = test::valid(constant_of_three(design));
-    return design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0}));
+    return design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0}))
+        .english();
   };
   EXPECT_THAT(stated("three_alternatives"),
               HasSubstr("three-alternative forced choice, one surface after the other"));

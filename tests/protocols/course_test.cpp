@@ -18,6 +18,7 @@
 #include "protocols/warnings/plan_warnings.h"
 #include "protocols/warnings/warnings.h"
 #include "tests/protocols/protocol_files.h"
+#include "tests/protocols/untranslated.h"
 
 namespace asperity {
 namespace {
@@ -371,7 +372,7 @@ TEST(Course, CountsCatchTrialsInItsLimitsAndExamples) {
   }
   EXPECT_EQ(gains.size(), 11U);
   EXPECT_EQ(*gains.rbegin(), 3.0);
-  EXPECT_THAT(design_of(protocol, protocol.blocks.at("tracks"), plan),
+  EXPECT_THAT(design_of(protocol, protocol.blocks.at("tracks"), plan).english(),
               HasSubstr("6 trials × 2 interleaved tracks, one catch trial in every 4 trials"));
 }
 
@@ -744,7 +745,9 @@ TEST(Course, CanPresentEveryLevelOfItsGrid) {
 TEST(DesignOfABlock, IsStatedInASentence) {
   const Protocol protocol = test::valid(staircases());
   const Plan plan = example_plan(protocol, {.seed = 1});
-  const std::string design = design_of(protocol, protocol.blocks.at("tracks"), plan);
+  const Phrase stated = design_of(protocol, protocol.blocks.at("tracks"), plan);
+  EXPECT_EQ(test::untranslated(stated), "");
+  const std::string design = stated.english();
   EXPECT_THAT(
       design,
       HasSubstr("2-down/1-up staircase (70.7 %), 6 trials × 2 interleaved tracks, for each of 2 "

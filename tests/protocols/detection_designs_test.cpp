@@ -111,7 +111,7 @@ TEST(DetectionDesigns, CountTheirRowsAsTheyMakeThem) {
 TEST(DetectionDesigns, AreStatedInTheDesignOfTheBlock) {
   const Protocol protocol = test::valid(with_design("same_different"));
   const std::string design =
-      design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0}));
+      design_of(protocol, protocol.blocks.at("comparisons"), make_plan(protocol, {1, 0})).english();
   EXPECT_THAT(design, HasSubstr("same–different task, one surface after the other"));
   EXPECT_THAT(design, HasSubstr("5 levels × 16 presentations, half of them without a difference"));
   EXPECT_THAT(design, ::testing::Not(HasSubstr("conditions")));

@@ -141,9 +141,10 @@ TEST(ExternalLevels, OfAnExampleAreExamples) {
   EXPECT_EQ(make_plan(protocol, {.seed = 5}).trials.size(), 0U);
   EXPECT_EQ(expected_trials(protocol), 10);
   EXPECT_TRUE(has_estimated_trials(protocol)) << "the program may end a track";
-  EXPECT_THAT(design_of(protocol, protocol.blocks.at("tracks"), example_plan(protocol, {})),
-              HasSubstr("levels of an external program (unknown before the session), at most 4 "
-                        "trials × 2 interleaved tracks"));
+  EXPECT_THAT(
+      design_of(protocol, protocol.blocks.at("tracks"), example_plan(protocol, {})).english(),
+      HasSubstr("levels of an external program (unknown before the session), at most 4 "
+                "trials × 2 interleaved tracks"));
   EXPECT_FALSE(least_threshold_error(protocol.blocks.at("tracks")));
 }
 

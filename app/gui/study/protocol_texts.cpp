@@ -108,7 +108,7 @@ QString description_of(const ProtocolOverview& overview) {
   }
   paragraphs += text(overview.read().description);
   for (const auto& [block, design] : overview.check.designs) {
-    paragraphs += ProtocolsPage::tr("Block %1: %2.").arg(text(block), text(design));
+    paragraphs += ProtocolsPage::tr("Block %1: %2.").arg(text(block), words_of(design));
   }
   paragraphs.removeAll(QString());
   return paragraphs.join("\n\n");

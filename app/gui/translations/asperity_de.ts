@@ -10266,6 +10266,26 @@
         <source>Maximum (right end)</source>
         <translation>Maximum (rechtes Ende)</translation>
     </message>
+    <message>
+        <source>two-alternative forced choice</source>
+        <translation>2AFC-Aufgabe</translation>
+    </message>
+    <message>
+        <source>yes/no task</source>
+        <translation>Ja/Nein-Aufgabe</translation>
+    </message>
+    <message>
+        <source>same–different task</source>
+        <translation>Gleich-verschieden-Aufgabe</translation>
+    </message>
+    <message>
+        <source>three-alternative forced choice</source>
+        <translation>3AFC-Aufgabe</translation>
+    </message>
+    <message>
+        <source>oddity task</source>
+        <translation>Oddity-Aufgabe</translation>
+    </message>
 </context>
 <context>
     <name>LabelNotice</name>
@@ -14556,6 +14576,106 @@
     <message>
         <source>%1; declare it, or remove the name</source>
         <translation>%1; einen Eintrag mit diesem Namen ergänzen oder den Namen entfernen</translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation>1 Durchgang</translation>
+    </message>
+    <message>
+        <source>%1-down/%2-up staircase</source>
+        <translation>%1-down/%2-up-Treppenverfahren</translation>
+    </message>
+    <message>
+        <source>weighted up-down staircase</source>
+        <translation>gewichtetes Up-down-Verfahren</translation>
+    </message>
+    <message>
+        <source>psi procedure</source>
+        <translation>Psi-Verfahren</translation>
+    </message>
+    <message>
+        <source>levels of an external program (unknown before the session)</source>
+        <translation>Stufen eines externen Programms (vor der Sitzung unbekannt)</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>konstante Reize</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>1 level</source>
+        <translation>1 Stufe</translation>
+    </message>
+    <message>
+        <source>%1 levels</source>
+        <translation>%1 Stufen</translation>
+    </message>
+    <message>
+        <source>1 presentation</source>
+        <translation>1 Darbietung</translation>
+    </message>
+    <message>
+        <source>%1 presentations</source>
+        <translation>%1 Darbietungen</translation>
+    </message>
+    <message>
+        <source>half of them without a difference</source>
+        <translation>davon die Hälfte ohne Unterschied</translation>
+    </message>
+    <message>
+        <source>two-interval forced choice</source>
+        <translation>2IFC-Aufgabe</translation>
+    </message>
+    <message>
+        <source>one surface in each trial</source>
+        <translation>eine Oberfläche je Durchgang</translation>
+    </message>
+    <message>
+        <source>one surface after the other</source>
+        <translation>eine Oberfläche nach der anderen</translation>
+    </message>
+    <message>
+        <source>each presented %1 times</source>
+        <translation>jede %1-mal dargeboten</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>surfaces felt on request</source>
+        <translation>Oberflächen auf Wunsch gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 tracks</source>
+        <translation>%1 × %2 Folgen (Tracks)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 interleaved tracks</source>
+        <translation>%1 × %2 verschränkte Folgen (Tracks)</translation>
+    </message>
+    <message>
+        <source>one catch trial in every %1 trials</source>
+        <translation>ein Kontrolldurchgang je %1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>for each of %1 conditions</source>
+        <translation>für jede von %1 Bedingungen</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>etwa %1 min</translation>
+    </message>
+    <message>
+        <source>%1; standard error of the log10 threshold at least %2 (β = %3)</source>
+        <translation>%1; Standardfehler der log10-Schwelle mindestens %2 (β = %3)</translation>
     </message>
 </context>
 <context>

@@ -130,7 +130,7 @@ std::string sentences_on(const Protocol::Block& block, const Verbs& verbs) {
 std::string arrangement_sentences(const Protocol::Block& block) {
   std::string text{};
   if (is_named_with_task(block)) {
-    text = presentation_text(block);
+    text = presentation_text(block).english();
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     text = " Task: " + text + ".";
   }

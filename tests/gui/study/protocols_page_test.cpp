@@ -15,7 +15,10 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/study/protocol_texts.h"
+#include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
+#include "tests/gui/editor/library_text.h"
 #include "tests/gui/study/pages_of_a_window.h"
 #include "tests/gui/support/gated_examination.h"
 #include "tests/gui/support/screenshot.h"
@@ -42,6 +45,21 @@ TEST_F(PagesToRead, SelectAProtocolByAClickOnItsTitle) {
   const QRect title = table.visualRect(table.model()->index(row, 0));
   QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, title.center());
   EXPECT_TRUE(table.selected_key().endsWith("/chapter_recognition.json"));
+}
+
+TEST(DescriptionOfAProtocol, StatesTheDesignsOfBlocksInTheLanguageOfTheWindows) {
+  ProtocolOverview overview{};
+  overview.check = check_protocol_text(library_text("amplitude_jnd"), "amplitude_jnd.json",
+                                       built_in_models(), std::nullopt, std::nullopt);
+  apply_language("de");
+  const QString german = description_of(overview);
+  apply_language("en");
+  EXPECT_TRUE(german.contains(
+      "2IFC-Aufgabe, eine Oberfläche nach der anderen, 3-down/1-up-Treppenverfahren (79,4 %), "
+      "40 Durchgänge × 2 verschränkte Folgen (Tracks), ein Kontrolldurchgang je"))
+      << german.toStdString();
+  EXPECT_TRUE(german.contains("; Standardfehler der log10-Schwelle mindestens 0,"))
+      << german.toStdString();
 }
 
 TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {

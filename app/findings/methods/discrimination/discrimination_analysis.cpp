@@ -162,7 +162,7 @@ std::string task_of_block(const Block& block) {
           display_quantity(*block.vary->standard, unit_of_varied(block)) +
           "; that of the comparison " + levels_text(block, "it") + ". ";
   if (block.procedure) {
-    text += "Choice of the level: " + procedure_text(block) + ". ";
+    text += "Choice of the level: " + procedure_text(block).english() + ". ";
     if (has_catch_trials(block)) {
       const std::string easy = catch_level_text(block);
       text += "In a catch trial " +
