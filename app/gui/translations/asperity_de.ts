@@ -6473,14 +6473,6 @@
 <context>
     <name>FormWords</name>
     <message>
-        <source>Original</source>
-        <translation>Original</translation>
-    </message>
-    <message>
-        <source>Equalized</source>
-        <translation>Egalisiert</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;In files: %2&lt;/p&gt;</source>
         <translation>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;In Dateien: %2&lt;/p&gt;</translation>
     </message>
@@ -6489,92 +6481,8 @@
         <translation>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;Von %2 bis %3. In Dateien: %4&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Picture width</source>
-        <translation>Bildbreite</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>Helligkeit</translation>
-    </message>
-    <message>
-        <source>Shortest lighting wavelength</source>
-        <translation>Beleuchtung ab</translation>
-    </message>
-    <message>
-        <source>Lighting gain</source>
-        <translation>Beleuchtungsanteil</translation>
-    </message>
-    <message>
-        <source>Detail gain</source>
-        <translation>Detailverstärkung</translation>
-    </message>
-    <message>
-        <source>Spectral tilt</source>
-        <translation>Spektrale Neigung</translation>
-    </message>
-    <message>
-        <source>Longest wavelength kept</source>
-        <translation>Größte Wellenlänge</translation>
-    </message>
-    <message>
-        <source>Roughness RMS</source>
-        <translation>Rauheit (RMS)</translation>
-    </message>
-    <message>
-        <source>Noise, standard deviation</source>
-        <translation>Rauschen, SD</translation>
-    </message>
-    <message>
-        <source>Noise, mean</source>
-        <translation>Rauschen, Mittelwert</translation>
-    </message>
-    <message>
-        <source>Friction threshold</source>
-        <translation>Reibungsschwelle</translation>
-    </message>
-    <message>
-        <source>Noise threshold</source>
-        <translation>Rauschschwelle</translation>
-    </message>
-    <message>
-        <source>Depth limit</source>
-        <translation>Tiefengrenze</translation>
-    </message>
-    <message>
-        <source>Plate stiffness k1</source>
-        <translation>Plattensteifigkeit k1</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Wu et al. (2009)</source>
-        <translation>Wu et al. (2009)</translation>
-    </message>
-    <message>
-        <source>Pentland (1990)</source>
-        <translation>Pentland (1990)</translation>
-    </message>
-    <message>
-        <source>Tsai and Shah (1994)</source>
-        <translation>Tsai und Shah (1994)</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>Light azimuth</source>
-        <translation>Azimut des Lichts</translation>
-    </message>
-    <message>
-        <source>Light elevation</source>
-        <translation>Höhenwinkel des Lichts</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -10946,6 +10854,635 @@
     </message>
 </context>
 <context>
+    <name>NamesOfChoices</name>
+    <message>
+        <source>Accepted</source>
+        <translation>Zulässig</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Binormal</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Konstant</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Korrigiert</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Kamm</translation>
+    </message>
+    <message>
+        <source>Dahl</source>
+        <translation>Dahl</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Elastoplastic</source>
+        <translation>Elastoplastisch</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Grey level</source>
+        <translation>Graustufe</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Hart</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Literal</source>
+        <translation>Wörtlich</translation>
+    </message>
+    <message>
+        <source>Local normal</source>
+        <translation>Reliefnormale</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Lugre</source>
+        <translation>LuGre</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ohne</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Physical</source>
+        <translation>Physikalisch</translation>
+    </message>
+    <message>
+        <source>Proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Unzulässig</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Gerundet</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Spatial</source>
+        <translation>Räumlich</translation>
+    </message>
+    <message>
+        <source>Subtract min</source>
+        <translation>Minimum abgezogen</translation>
+    </message>
+    <message>
+        <source>Temporal</source>
+        <translation>Zeitlich</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Virtual</source>
+        <translation>Virtuell</translation>
+    </message>
+</context>
+<context>
+    <name>NamesOfParameters</name>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Axis of spectrum</source>
+        <translation>Achse des Spektrums</translation>
+    </message>
+    <message>
+        <source>Base diameter</source>
+        <translation>Durchmesser unten</translation>
+    </message>
+    <message>
+        <source>Brick length</source>
+        <translation>Ziegellänge</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Contact damping</source>
+        <translation>Kontaktdämpfung</translation>
+    </message>
+    <message>
+        <source>Cosine amplitude</source>
+        <translation>Kosinusamplitude</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>Coupling angular damping</source>
+        <translation>Drehdämpfung der Kopplung</translation>
+    </message>
+    <message>
+        <source>Coupling angular stiffness</source>
+        <translation>Drehsteifigkeit der Kopplung</translation>
+    </message>
+    <message>
+        <source>Coupling damping</source>
+        <translation>Dämpfung der Kopplung</translation>
+    </message>
+    <message>
+        <source>Coupling stiffness</source>
+        <translation>Steifigkeit der Kopplung</translation>
+    </message>
+    <message>
+        <source>Course height</source>
+        <translation>Höhe einer Lage</translation>
+    </message>
+    <message>
+        <source>Depth limit</source>
+        <translation>Tiefengrenze</translation>
+    </message>
+    <message>
+        <source>Depth scale</source>
+        <translation>Tiefenfaktor</translation>
+    </message>
+    <message>
+        <source>Device step</source>
+        <translation>Schritt des Geräts</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Effective mass</source>
+        <translation>Wirksame Masse</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Bezugshöhe</translation>
+    </message>
+    <message>
+        <source>Face rms</source>
+        <translation>Sichtflächen, RMS</translation>
+    </message>
+    <message>
+        <source>Flank width</source>
+        <translation>Flankenbreite</translation>
+    </message>
+    <message>
+        <source>Force direction</source>
+        <translation>Richtung der Kraft</translation>
+    </message>
+    <message>
+        <source>Force exponent</source>
+        <translation>Exponent der Kraft</translation>
+    </message>
+    <message>
+        <source>Foundation</source>
+        <translation>Bettungsmodul</translation>
+    </message>
+    <message>
+        <source>Friction damping</source>
+        <translation>Reibung, Dämpfung</translation>
+    </message>
+    <message>
+        <source>Friction delay</source>
+        <translation>Reibung, Verzögerung</translation>
+    </message>
+    <message>
+        <source>Friction law</source>
+        <translation>Reibungsgesetz</translation>
+    </message>
+    <message>
+        <source>Friction mass</source>
+        <translation>Reibung, Masse</translation>
+    </message>
+    <message>
+        <source>Friction sd</source>
+        <translation>Reibung, SD</translation>
+    </message>
+    <message>
+        <source>Friction smoothing</source>
+        <translation>Reibung, Glättung</translation>
+    </message>
+    <message>
+        <source>Friction threshold</source>
+        <translation>Reibungsschwelle</translation>
+    </message>
+    <message>
+        <source>Friction static ratio</source>
+        <translation>Haft- zu Gleitreibung</translation>
+    </message>
+    <message>
+        <source>Friction stiffness</source>
+        <translation>Reibung, Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Detail gain</source>
+        <translation>Detailverstärkung</translation>
+    </message>
+    <message>
+        <source>Lighting gain</source>
+        <translation>Beleuchtungsanteil</translation>
+    </message>
+    <message>
+        <source>Longest wavelength kept</source>
+        <translation>Größte Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Grain height</source>
+        <translation>Kornhöhe</translation>
+    </message>
+    <message>
+        <source>Grain spacing</source>
+        <translation>Kornabstand</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height scale</source>
+        <translation>Höhenfaktor</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Shortest lighting wavelength</source>
+        <translation>Beleuchtung ab</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Streuung der Lage</translation>
+    </message>
+    <message>
+        <source>Joint depth</source>
+        <translation>Fugentiefe</translation>
+    </message>
+    <message>
+        <source>Joint width</source>
+        <translation>Fugenbreite</translation>
+    </message>
+    <message>
+        <source>Plate stiffness k1</source>
+        <translation>Plattensteifigkeit k1</translation>
+    </message>
+    <message>
+        <source>Lateral gradient gain</source>
+        <translation>Seitenkraft, Verstärkung</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Light azimuth</source>
+        <translation>Azimut des Lichts</translation>
+    </message>
+    <message>
+        <source>Light elevation</source>
+        <translation>Höhenwinkel des Lichts</translation>
+    </message>
+    <message>
+        <source>Longest wavelength</source>
+        <translation>Größte Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Most halvings</source>
+        <translation>Höchstzahl Halbierungen</translation>
+    </message>
+    <message>
+        <source>Most samples</source>
+        <translation>Höchstzahl Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Noise length</source>
+        <translation>Rauschen, Weglänge</translation>
+    </message>
+    <message>
+        <source>Noise, mean</source>
+        <translation>Rauschen, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Noise rate</source>
+        <translation>Rauschen, Rate</translation>
+    </message>
+    <message>
+        <source>Noise, standard deviation</source>
+        <translation>Rauschen, SD</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <translation>Oktaven</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Peak wavelength</source>
+        <translation>Wellenlänge der Resonanz</translation>
+    </message>
+    <message>
+        <source>Period x</source>
+        <translation>Periode x</translation>
+    </message>
+    <message>
+        <source>Period y</source>
+        <translation>Periode y</translation>
+    </message>
+    <message>
+        <source>Pit depth</source>
+        <translation>Grübchentiefe</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Poisson ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Pole radius</source>
+        <translation>Polradius</translation>
+    </message>
+    <message>
+        <source>Pore rms</source>
+        <translation>Poren, RMS</translation>
+    </message>
+    <message>
+        <source>Reference force</source>
+        <translation>Bezugskraft</translation>
+    </message>
+    <message>
+        <source>Relaxation ratio</source>
+        <translation>Relaxationsverhältnis</translation>
+    </message>
+    <message>
+        <source>Relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Resonance ratio</source>
+        <translation>Resonanz, Verhältnis</translation>
+    </message>
+    <message>
+        <source>Resonance threshold</source>
+        <translation>Resonanz, Schwelle</translation>
+    </message>
+    <message>
+        <source>Ridge width</source>
+        <translation>Stegbreite</translation>
+    </message>
+    <message>
+        <source>Ring height</source>
+        <translation>Ringhöhe</translation>
+    </message>
+    <message>
+        <source>Roughness RMS</source>
+        <translation>Rauheit (RMS)</translation>
+    </message>
+    <message>
+        <source>Scratch length</source>
+        <translation>Kratzerlänge</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Shortest wavelength</source>
+        <translation>Kleinste Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Sine amplitude</source>
+        <translation>Sinusamplitude</translation>
+    </message>
+    <message>
+        <source>Single speed</source>
+        <translation>Nur eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Spectral tilt</source>
+        <translation>Spektrale Neigung</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Tau</source>
+        <translation>Tau</translation>
+    </message>
+    <message>
+        <source>Texture gain</source>
+        <translation>Verstärkung der Textur</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Tip radius</source>
+        <translation>Spitzenradius</translation>
+    </message>
+    <message>
+        <source>Tool inertia</source>
+        <translation>Werkzeug, Trägheit</translation>
+    </message>
+    <message>
+        <source>Tool mass</source>
+        <translation>Werkzeug, Masse</translation>
+    </message>
+    <message>
+        <source>Tool texture gain</source>
+        <translation>Werkzeug, Verstärkung</translation>
+    </message>
+    <message>
+        <source>Tool turns</source>
+        <translation>Drehung der Spitze</translation>
+    </message>
+    <message>
+        <source>Top diameter</source>
+        <translation>Durchmesser oben</translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation>Varianz</translation>
+    </message>
+    <message>
+        <source>Noise threshold</source>
+        <translation>Rauschschwelle</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Waves x</source>
+        <translation>Wellen x</translation>
+    </message>
+    <message>
+        <source>Waves y</source>
+        <translation>Wellen y</translation>
+    </message>
+    <message>
+        <source>Waviness</source>
+        <translation>Welligkeit</translation>
+    </message>
+    <message>
+        <source>Picture width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Youngs modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Angle (rad)</source>
+        <translation>Winkel (rad)</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Koeffizient</translation>
+    </message>
+</context>
+<context>
+    <name>NamesOfSurfaces</name>
+    <message>
+        <source>Brick</source>
+        <translation>Ziegel</translation>
+    </message>
+    <message>
+        <source>Cones</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Grating</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Sandpaper</source>
+        <translation>Schleifpapier</translation>
+    </message>
+    <message>
+        <source>Sinusoid</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Stein</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+</context>
+<context>
     <name>NewStudy</name>
     <message>
         <source>This is version %1. Before 1.0.0, finish a study with the version that began it; the package of each version stays available.</source>
@@ -11163,6 +11700,37 @@
     <message>
         <source>skipped</source>
         <translation>übersprungen</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterWords</name>
+    <message>
+        <source>Wu et al. (2009)</source>
+        <translation>Wu et al. (2009)</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Pentland (1990)</source>
+        <translation>Pentland (1990)</translation>
+    </message>
+    <message>
+        <source>Tsai and Shah (1994)</source>
+        <translation>Tsai und Shah (1994)</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Equalized</source>
+        <translation>Egalisiert</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

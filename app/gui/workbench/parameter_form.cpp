@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
-#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QSlider>
@@ -20,9 +18,11 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/gui/base/parameter_unit.h"
+#include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
+#include "app/gui/workbench/parameter_words.h"
 
 namespace asperity {
 
@@ -135,16 +135,6 @@ class MarkedSlider final : public QSlider {
   int mark_ = 0;
 };
 
-class ChoiceList final : public QComboBox {
- public:
-  explicit ChoiceList(QWidget* parent) : QComboBox(parent) { setFocusPolicy(Qt::StrongFocus); }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    hasFocus() ? QComboBox::wheelEvent(event) : event->ignore();
-  }
-};
-
 /// A range over more than a factor of 50 is walked in proportions.
 bool is_logarithmic(const Parameter& parameter) {
   return parameter.minimum > 0.0 && parameter.maximum / parameter.minimum >= 50.0;
@@ -175,43 +165,8 @@ double value_at(const Parameter& parameter, int step) {
                     parameter.minimum, parameter.maximum);
 }
 
-QString words_of(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
-    name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  return QString::fromStdString(name);
-}
-
-QString choice_words(const Parameter& parameter, const std::string& choice) {
-  if (parameter.name == "method") {
-    const std::map<std::string, QString, std::less<>> methods{
-        {"wu", FormWords::tr("Wu et al. (2009)")},
-        {"brightness", FormWords::tr("Brightness")},
-        {"pentland", FormWords::tr("Pentland (1990)")},
-        {"tsai_shah", FormWords::tr("Tsai and Shah (1994)")},
-    };
-    const auto found = methods.find(choice);
-    return found == methods.end() ? words_of(choice) : found->second;
-  }
-  if (parameter.name == "histogram")
-    return choice == "none" ? FormWords::tr("Original") : FormWords::tr("Equalized");
-  return words_of(choice);
-}
-
-QString without_unit(const Parameter& parameter) {
-  std::string name = parameter.name;
-  std::string unit = parameter.unit;
-  for (std::size_t slash = unit.find('/'); slash != std::string::npos; slash = unit.find('/')) {
-    unit.replace(slash, 1, "_per_");
-  }
-  if (name.size() > unit.size() + 1 && name.ends_with("_" + unit)) {
-    name.resize(name.size() - unit.size() - 1);
-  }
-  return words_of(name);
-}
-
 QString tip_of(const Parameter& parameter) {
-  const QString meaning = asperity::words_of(parameter.meaning).toHtmlEscaped();
+  const QString meaning = words_of(parameter.meaning).toHtmlEscaped();
   const QString name = QString::fromStdString(parameter.name);
   if (parameter.kind == ParameterKind::choice) {
     return FormWords::tr("<p>%1.</p><p>In files: %2</p>").arg(meaning, name);
@@ -223,34 +178,9 @@ QString tip_of(const Parameter& parameter) {
 
 }  // namespace
 
-QString caption_of(const Parameter& parameter) {
-  const std::map<std::string, QString, std::less<>> better{
-      {"width_m", FormWords::tr("Picture width")},
-      {"method", FormWords::tr("Method")},
-      {"light_azimuth_deg", FormWords::tr("Light azimuth")},
-      {"light_elevation_deg", FormWords::tr("Light elevation")},
-      {"histogram", FormWords::tr("Brightness")},
-      {"homomorphic_wavelength_m", FormWords::tr("Shortest lighting wavelength")},
-      {"gamma_low", FormWords::tr("Lighting gain")},
-      {"gamma_high", FormWords::tr("Detail gain")},
-      {"gaussian_wavelength_m", FormWords::tr("Longest wavelength kept")},
-      {"spectral_tilt", FormWords::tr("Spectral tilt")},
-      {"rms_m", FormWords::tr("Roughness RMS")},
-      {"noise_sd_N", FormWords::tr("Noise, standard deviation")},
-      {"noise_mean_N", FormWords::tr("Noise, mean")},
-      {"friction_speed_m_per_s", FormWords::tr("Friction threshold")},
-      {"velocity_threshold_m_per_s", FormWords::tr("Noise threshold")},
-      {"depth_limit_m", FormWords::tr("Depth limit")},
-      {"k1_N_per_m", FormWords::tr("Plate stiffness k1")},
-      {"gain_N", FormWords::tr("Gain")},
-  };
-  const auto found = better.find(parameter.name);
-  return found == better.end() ? without_unit(parameter) : found->second;
-}
-
 QString text_of(const Parameter& parameter, const ParameterValue& value) {
   if (const auto* choice = std::get_if<std::string>(&value)) {
-    return choice_words(parameter, *choice);
+    return choice_name(parameter, *choice);
   }
   const ShownUnit unit = shown_unit(parameter);
   const QString number = short_number(unit.shown(std::get<double>(value)));
@@ -262,7 +192,7 @@ struct ParameterForm::Row {
   ParameterValue usual{};  // the default that counts
   NumberField* field = nullptr;
   MarkedSlider* slider = nullptr;
-  ChoiceList* list = nullptr;
+  ChoiceBox* list = nullptr;
   QPushButton* reset = nullptr;
 };
 
@@ -297,13 +227,16 @@ void ParameterForm::add_row(std::size_t index, QGridLayout* grid, int& line, For
           [this, index] { edit(index, rows_[index].usual); });
   grid->addWidget(row.reset, line, 2);
   if (parameter.kind == ParameterKind::choice) {
-    row.list = new ChoiceList(this);
+    row.list = new ChoiceBox(this);
+    ignore_wheel(*row.list);
     row.list->setObjectName(name);
     row.list->setToolTip(tip_of(parameter));
     row.list->setAccessibleName(caption_of(parameter));
     row.list->setFixedWidth(kParameterFieldWidth);
     for (const std::string& choice : parameter.choices) {
-      row.list->addItem(choice_words(parameter, choice));
+      row.list->addItem(choice_with_word(parameter, choice));
+      row.list->setItemData(row.list->count() - 1, choice_name(parameter, choice),
+                            ChoiceBox::kValueRole);
     }
     connect(row.list, &QComboBox::activated, this, [this, index](int chosen) {
       edit(index, parameters_[index].choices[static_cast<std::size_t>(chosen)]);

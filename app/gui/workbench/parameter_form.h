@@ -65,8 +65,6 @@ class ParameterForm final : public QWidget {
   bool dragging_ = false;
 };
 
-/// How a parameter is called on the screen: "Noise sd" for noise_sd_N, unless there is better.
-QString caption_of(const Parameter& parameter);
 /// With its unit as on the screen: "0.5 mm".
 QString text_of(const Parameter& parameter, const ParameterValue& value);
 

@@ -16,6 +16,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
+#include "app/gui/workbench/parameter_words.h"
 #include "app/gui/workbench/relief_picture.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/study_files/height_field_files.h"
@@ -140,9 +141,7 @@ QWidget* SurfaceDialog::make_forms() {
   forms->setSpacing(kGrid);
   parameters_ = new QStackedWidget(inside);
   for (const SurfaceDeclaration& surface : surfaces_) {
-    QString name = text(surface.kind);
-    name[0] = name[0].toUpper();
-    kind_->addItem(name);
+    kind_->addItem(surface_name(surface.kind));
     auto* form = new ParameterForm(surface.parameters, FormStyle::fields, parameters_);
     form->setObjectName("surface_" + text(surface.kind));
     connect(form, &ParameterForm::edited, this, &SurfaceDialog::compute);

@@ -4,7 +4,9 @@
 
 #include <QtCore/QProcess>
 #include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLineEdit>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "tests/gui/stimuli/window_with_reliefs.h"
 
@@ -49,6 +51,19 @@ TEST_F(SurfaceDialogTest, OffersWhatTheSurfacesDeclare) {
   }
   EXPECT_EQ(nameless_controls(dialog), QStringList{});
   EXPECT_EQ(steps_against_reading(dialog), QStringList{});
+}
+
+TEST_F(SurfaceDialogTest, NamesSurfacesAndParametersInGermanInGermanWindows) {
+  apply_language("de");
+  SurfaceDialog& dialog = open();
+  auto& kinds = child<QComboBox>(dialog, "surface_kind");
+  kinds.setCurrentText("Gitter");
+  settle(dialog);
+  EXPECT_EQ(child<QLineEdit>(dialog, "surface_name").text(), "grating") << "the word in files";
+  const auto& form = child<ParameterForm>(dialog, "surface_grating");
+  EXPECT_EQ(child<QDoubleSpinBox>(form, "ridge_width_m").accessibleName(), "Stegbreite");
+  take_screenshot(dialog, "german-surface-dialog", {1280, 720});
+  apply_language("en");
 }
 
 TEST_F(SurfaceDialogTest, ShowsAndSavesTheNewestValues) {

@@ -2,6 +2,7 @@
 
 #include "app/gui/workbench/parameter_form.h"
 
+#include <set>
 #include <stdexcept>
 
 #include <QtTest/QSignalSpy>
@@ -12,8 +13,11 @@
 #include <QtWidgets/QSlider>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/workbench/parameter_words.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
@@ -134,6 +138,61 @@ TEST(ParameterForm, ChoosesByTheKeyboard) {
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Down);
   EXPECT_EQ(choice_of(form.values(), "histogram"), "equalize");
+}
+
+/// All names that windows show, in their language.
+QStringList names_in(const QString& language) {
+  apply_language(language);
+  std::vector<Parameter> parameters = texture_recipe_parameters();
+  const auto add = [&parameters](const std::vector<Parameter>& declared) {
+    parameters.insert(parameters.end(), declared.begin(), declared.end());
+  };
+  const ModelRegistry registry = built_in_models();
+  add(canvas_parameters());
+  for (const ForceModel& model : registry.models()) add(model.declaration.parameters);
+  QStringList names{};
+  for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
+    add(surface.parameters);
+    names.append(surface_name(surface.kind));
+  }
+  for (const Parameter& parameter : parameters) {
+    names.append(caption_of(parameter));
+    if (parameter.name == "method") continue;  // authors
+    for (const std::string& choice : parameter.choices) {
+      names.append(choice_name(parameter, choice));
+    }
+  }
+  apply_language("en");
+  return names;
+}
+
+TEST(ParameterWords, AreGermanInGermanWindowsForEveryDeclaredParameter) {
+  const QStringList english = names_in("en");
+  const QStringList german = names_in("de");
+  ASSERT_EQ(english.size(), german.size());
+  const std::set<QString> same{"Amplitude", "Bits",    "Dahl",     "Exponent", "Gradient", "Index",
+                               "Linear",    "Maximum", "Original", "Proxy",    "Relief",   "Tau"};
+  for (qsizetype i = 0; i < english.size(); ++i) {
+    if (same.contains(english[i])) continue;
+    EXPECT_NE(german[i].toStdString(), english[i].toStdString());
+  }
+}
+
+TEST(ParameterWords, NameOneOfSeveralAndStateTheWordInFiles) {
+  apply_language("de");
+  const Parameter wave = number_parameter("sine_amplitude_2_m", "m", 0.0, 1.0, 0.0, "");
+  EXPECT_EQ(caption_of(wave), "Sinusamplitude 2");
+  const Parameter damping = number_parameter("friction_damping_N_s_per_m", "N s/m", 0, 1, 0, "");
+  EXPECT_EQ(caption_of(damping), "Reibung, Dämpfung");
+  const Parameter law = choice_parameter("law", {"corrected", "literal"}, "");
+  EXPECT_EQ(choice_with_word(law, "literal"), "Wörtlich (literal)");
+  EXPECT_EQ(choice_name(law, "literal"), "Wörtlich");
+  EXPECT_EQ(surface_name("sinusoid"), "Sinus");
+  apply_language("en");
+  EXPECT_EQ(choice_with_word(law, "literal"), "Literal");
+  EXPECT_EQ(surface_name("sinusoid"), "Sinusoid");
+  const Parameter of_plugin = number_parameter("odd_gain_N", "N", 0.0, 1.0, 0.0, "");
+  EXPECT_EQ(caption_of(of_plugin), "Odd gain") << "a plug-in's";
 }
 
 }  // namespace
