@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Prints the texts of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of the designs
-of a discrimination, of the tests of kinds and of the pages of the form of a protocol as lines that lupdate reads."""
+"""Prints the texts and words of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of
+the designs of a discrimination, of the tests of kinds and of the pages of the form of a protocol as lines that lupdate reads."""
 import pathlib
 import re
 import sys
@@ -59,18 +59,25 @@ def texts_among(opening, name, arguments):
     return []
 
 
-def texts_in(source):
-    tokens = tokens_of(source)
-    open_brackets = []  # (bracket, name before it, arguments so far)
+def calls_in(tokens):
+    """The brackets that enclose something: (bracket, name before it, arguments)"""
+    open_brackets = []
     for at, token in enumerate(tokens):
         if token in BRACKETS.values():
-            yield from texts_among(*open_brackets.pop())
+            yield open_brackets.pop()
         if token == "," and open_brackets:
             open_brackets[-1][2].append([])
         elif open_brackets:
             open_brackets[-1][2][-1].append(token)
         if token in BRACKETS:
             open_brackets.append((token, name_before(tokens, at), [[]]))
+
+
+def texts_in(source):
+    tokens = tokens_of(source)
+    for call in calls_in(tokens):
+        yield from texts_among(*call)
+    for at, token in enumerate(tokens):
         # .meaning = "…", and constants such as kNameMeaning
         if isinstance(token, tuple) and tokens[at - 1] == "=" and str(tokens[at - 2]).lower().endswith("meaning"):
             yield token[0]
@@ -79,11 +86,39 @@ def texts_in(source):
             yield token[0]
 
 
+def constants():
+    """The texts of constants by their names: "ChoiceForm::kName", and without the class "kName"."""
+    found = {}
+    for path in sorted(PROTOCOLS.rglob("*.h")):
+        source = path.read_text(encoding="utf-8")
+        for constant in re.finditer(r'\b(k\w+) ?(?:=|\{) ?"(\w+)"', source):
+            found[constant[1]] = constant[2]
+            owners = re.findall(r"^struct (\w+)", source[: constant.start()], re.MULTILINE)
+            if owners:
+                found[f"{owners[-1]}::{constant[1]}"] = constant[2]
+    return found
+
+
+def words_in(source, named):
+    """The names of words: {name, value, meaning}. `named`: the texts of constants, by their names."""
+    for opening, _, arguments in calls_in(tokens_of(source)):
+        if opening != "{" or len(arguments) != 3 or len(arguments[2]) != 1 or not isinstance(arguments[2][0], tuple):
+            continue
+        name, value = arguments[:2]
+        if len(name) == 1 and isinstance(name[0], tuple):
+            if not isinstance(value[0], tuple):
+                yield name[0][0]
+        elif "".join(map(str, name)) in named:
+            yield named["".join(map(str, name))]
+
+
 def main():
     if len(sys.argv) > 1:
         print("Usage: scripts/key_texts.py\n\nPrints a QT_TRANSLATE_NOOP line for each text, for scripts/translations.")
         sys.exit(0 if sys.argv[1:] in (["-h"], ["--help"]) else 2)
     texts = {}
+    words = {}
+    named = constants()
     folders = [PROTOCOLS / name for name in ("keys", "kind_keys", "shapes")]
     paths = [path for folder in folders for path in sorted(folder.iterdir())]
     paths += [PROTOCOLS / "form" / "form_pages.cpp", PROTOCOLS / "file" / "translation.cpp",
@@ -91,9 +126,13 @@ def main():
     kinds = sorted((PROTOCOLS / "kinds").iterdir())
     paths += [path for path in kinds if "KindTest{" in path.read_text(encoding="utf-8")]
     for path in paths:
-        texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
+        source = path.read_text(encoding="utf-8")
+        texts |= dict.fromkeys(texts_in(source))
+        words |= dict.fromkeys(words_in(source, named))
     for text in filter(None, texts):
         print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')
+    for word in words:
+        print(f'QT_TRANSLATE_NOOP("WordsOfKeys", "{word}")')
 
 
 main()

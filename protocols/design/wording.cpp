@@ -79,6 +79,8 @@ std::string digits(double value) {
 
 Phrase key_name(std::string_view key) { return {kNamesOfKeys, in_quotes(key).c_str()}; }
 
+Phrase word_name(std::string_view word) { return {kWordsOfKeys, in_quotes(word).c_str()}; }
+
 Phrase place_name(std::string_view pointer) {
   return {kPlacesOfKeys, std::string(pointer).c_str()};
 }

@@ -18,6 +18,10 @@ std::string listed_words(const std::vector<std::string>& words, std::string_view
 /// The context of the names of keys, in quotation marks: a form shows their labels instead (app/gui/base/form_words.h).
 inline constexpr const char* kNamesOfKeys = "NamesOfKeys";
 Phrase key_name(std::string_view key);
+/// The context of the words that choices of the tables of keys offer: a form shows their names.
+inline constexpr const char* kWordsOfKeys = "WordsOfKeys";
+/// In quotation marks.
+Phrase word_name(std::string_view word);
 /// The context of places of keys, JSON pointers: a form shows the labels that lead to the key.
 inline constexpr const char* kPlacesOfKeys = "PlacesOfKeys";
 Phrase place_name(std::string_view pointer);

@@ -22,7 +22,10 @@ class TextsOfShapes {
   void operator()(const NumberShape&) {}
   void operator()(const TruthShape&) {}
   void operator()(const WordShape& shape) {
-    for (const KeyWord& word : shape.words) add_text(word.meaning);
+    for (const KeyWord& word : shape.words) {
+      add_text(word.meaning);
+      words_.insert(word.name);
+    }
   }
   void operator()(const TextShape&) {}
   void operator()(const NameShape&) {}
@@ -58,6 +61,7 @@ class TextsOfShapes {
   }
 
   const std::set<std::string_view>& texts() const { return texts_; }
+  const std::set<std::string_view>& words() const { return words_; }
   const std::set<std::string_view>& problems() const { return problems_; }
   const std::map<std::string_view, std::set<std::string_view>>& labels() const { return labels_; }
 
@@ -68,6 +72,7 @@ class TextsOfShapes {
 
   std::set<const KeyTable*> tables_{};  ///< those that are done
   std::set<std::string_view> texts_{};
+  std::set<std::string_view> words_{};
   std::set<std::string_view> problems_{};
   std::map<std::string_view, std::set<std::string_view>> labels_{};  ///< by the name of the key
 };
@@ -75,6 +80,8 @@ class TextsOfShapes {
 }  // namespace
 
 std::set<std::string_view> texts_of_keys() { return TextsOfShapes::of_protocol().texts(); }
+
+std::set<std::string_view> words_of_keys() { return TextsOfShapes::of_protocol().words(); }
 
 std::set<std::string_view> problems_of_keys() { return TextsOfShapes::of_protocol().problems(); }
 

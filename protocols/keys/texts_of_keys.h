@@ -13,6 +13,9 @@ namespace asperity {
 /// look up their translations in the context "Keys".
 std::set<std::string_view> texts_of_keys();
 
+/// The words that choices of keys offer; windows look up their names in the context "WordsOfKeys".
+std::set<std::string_view> words_of_keys();
+
 /// The sentences about keys that are not permitted where they are, as the tables state them; likewise translated.
 std::set<std::string_view> problems_of_keys();
 

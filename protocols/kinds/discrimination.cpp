@@ -84,7 +84,7 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
   if (vary->role != "comparison") {
     problems.report(checked.pointer + "/vary/of",
                     phrase("Protocols", "a discrimination varies the comparison; write %1")
-                        .with(in_quotes("comparison")));
+                        .with(word_name("comparison")));
     return false;
   }
   if (vary->standard_role != "standard") {
@@ -92,7 +92,7 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
         checked.pointer + "/vary",
         phrase("Protocols",
                "the levels of a discrimination are compared with the standard; set %1 to %2")
-            .with(key_name("relative_to"), in_quotes("standard")));
+            .with(key_name("relative_to"), word_name("standard")));
     return false;
   }
   if (!vary->standard && is_relative(vary->measure)) return false;  // reported with the levels
@@ -123,7 +123,7 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
       question.judgement() == DiscriminationJudgement::comparison) {
     problems.report(checked.at_question + "/judgement",
                     phrase("Protocols", "in %1 one response is correct; set it to %2")
-                        .with(a_design, in_quotes("performance")));
+                        .with(a_design, word_name("performance")));
   }
   if (!design.has_noise()) return;
   std::set<std::string_view> options{};
@@ -155,7 +155,7 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
     if (checked.block.arrangement.surfaces != Arrangement::Surfaces::sequential) {
       problems.report(checked.pointer + "/arrangement/surfaces",
                       phrase("Protocols", "%1 presents one surface in each trial; set it to %2")
-                          .with(a_design, in_quotes("sequential")));
+                          .with(a_design, word_name("sequential")));
     }
   }
   const ObserverDeclaration& observer = checked.protocol.observer;
@@ -179,7 +179,7 @@ void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
         phrase("Protocols",
                "a discrimination needs %1: %2 where the comparison is the correct response, or %3 "
                "where no response is correct")
-            .with(key_name("judgement"), in_quotes("performance"), in_quotes("comparison")));
+            .with(key_name("judgement"), word_name("performance"), word_name("comparison")));
     return;
   }
   if (!check_varied(checked, problems)) return;
@@ -197,7 +197,7 @@ void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
                              "with the judgement %1 the comparison is the correct response, so "
                              "that every level must be above the standard, or every level below "
                              "it; remove the others, or use the judgement %2")
-                          .with(in_quotes("performance"), in_quotes("comparison")));
+                          .with(word_name("performance"), word_name("comparison")));
     }
     return;
   }
@@ -207,21 +207,21 @@ void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
         phrase("Protocols",
                "the judgement %1 estimates the point of subjective equality, which needs levels "
                "below and above the standard; add some, or use the judgement %2")
-            .with(in_quotes("comparison"), in_quotes("performance")));
+            .with(word_name("comparison"), word_name("performance")));
   }
   if (checked.block.feedback != Block::Feedback::none) {
     problems.report(
         checked.pointer + "/feedback",
         phrase("Protocols",
                "with the judgement %1 no response is correct or incorrect; set it to %2")
-            .with(in_quotes("comparison"), in_quotes("none")));
+            .with(word_name("comparison"), word_name("none")));
   }
   if (checked.block.until) {
     problems.report(
         checked.pointer + "/until",
         phrase("Protocols",
                "with the judgement %1 no response is correct or incorrect; remove this key")
-            .with(in_quotes("comparison")));
+            .with(word_name("comparison")));
   }
 }
 
@@ -237,7 +237,7 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
                     phrase("Protocols",
                            "a discrimination presents one surface with the role %1 and one with "
                            "the role %2; list these two")
-                        .with(in_quotes("standard"), in_quotes("comparison")));
+                        .with(word_name("standard"), word_name("comparison")));
     return;
   }
   for (std::size_t i = 0; i < presented.size(); ++i) {

@@ -134,7 +134,7 @@ void check_items(const Protocol& protocol, ProblemSink& problems) {
           phrase("Protocols",
                  "the predictor is the level, and %1 is not a number above 0; set %2 to %3 and "
                  "state the value of each level, or write numbers above 0")
-              .with(in_quotes(text_of(level)), key_name("predictor"), in_quotes("values")));
+              .with(in_quotes(text_of(level)), key_name("predictor"), word_name("values")));
     }
   }
   check_number_of_levels(different.size(), estimation.predictor.empty() ? 2 : kLevelsOfCurve,
@@ -192,7 +192,7 @@ void check_modulus(const Protocol& protocol, ProblemSink& problems) {
                     phrase("Protocols",
                            "with free modulus every participant has a separate scale, which only "
                            "%1 removes; write it, or state a standard with its number under %2")
-                        .with(in_quotes("geometric_mean"), key_name("modulus")));
+                        .with(word_name("geometric_mean"), key_name("modulus")));
     return;
   }
   const auto factor = protocol.factors.find(estimation.factor());
@@ -202,7 +202,7 @@ void check_modulus(const Protocol& protocol, ProblemSink& problems) {
         phrase("Protocols",
                "a standard is a level of a factor under %1, and %2 is not one; declare "
                "it there, or set the modulus to %3")
-            .with(place_name("/factors"), in_quotes(estimation.factor()), in_quotes("free")));
+            .with(place_name("/factors"), in_quotes(estimation.factor()), word_name("free")));
     return;
   }
   const std::vector<Level>& levels = factor->second.levels;

@@ -66,7 +66,7 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
                       phrase("Protocols",
                              "without a modulus the surface of a trial is the estimated one; write "
                              "%1, or state the number of a standard under %2")
-                          .with(in_quotes("target"), place_name("/estimation/modulus")));
+                          .with(word_name("target"), place_name("/estimation/modulus")));
     }
     return;
   }
@@ -93,7 +93,7 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
         checked.pointer + "/positions",
         phrase("Protocols",
                "the standard precedes the estimated surface in every trial; set this to %1")
-            .with(in_quotes("as_listed")));
+            .with(word_name("as_listed")));
   }
   if (checked.block.has_anchors() &&
       checked.block.anchor_places == std::vector{AnchorPlace::start}) {
@@ -108,7 +108,7 @@ void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems)
                     phrase("Protocols",
                            "the standard has a number, to which a line without a number cannot be "
                            "compared; remove this key, or set %1 to %2")
-                        .with(place_name("/estimation/modulus"), in_quotes("free")));
+                        .with(place_name("/estimation/modulus"), word_name("free")));
   }
 }
 
@@ -118,7 +118,7 @@ void check_trial_of_magnitude(const BlockOfKind& checked, const Trial&, ProblemS
                   phrase("Protocols",
                          "an observer derives a magnitude estimate from the felt force and has no "
                          "expectation: set this to %1")
-                      .with(in_quotes("none")));
+                      .with(word_name("none")));
 }
 
 VirtualResponse judge_magnitude(const Judgement& judgement) {

@@ -16,7 +16,7 @@ void check_positions(const BlockOfKind& checked, ProblemSink& problems) {
       phrase("Protocols",
              "the same surface would always be presented first, so that an order effect could "
              "not be distinguished from a difference; set %1 to %2 or %3")
-          .with(key_name("positions"), in_quotes("balanced"), in_quotes("shuffle")));
+          .with(key_name("positions"), word_name("balanced"), word_name("shuffle")));
 }
 
 }  // namespace asperity

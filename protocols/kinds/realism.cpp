@@ -17,7 +17,7 @@ void check_prompt_for_sample(const BlockOfKind& checked, ProblemSink& problems) 
         phrase("Protocols",
                "with the standard %1 the experimenter needs to know which sample to place: add %2 "
                "with {code} in it, such as \"Place sample {code} next to the device.\"")
-            .with(in_quotes("physical_sample"), key_name("experimenter_prompt")));
+            .with(word_name("physical_sample"), key_name("experimenter_prompt")));
   }
 }
 

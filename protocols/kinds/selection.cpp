@@ -55,7 +55,7 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
                     phrase("Protocols",
                            "the observer's %1 requires surfaces with a texture: give them a "
                            "texture, or set %1 to %2")
-                        .with(key_name("expectation"), in_quotes("none")));
+                        .with(key_name("expectation"), word_name("none")));
   }
 }
 
@@ -88,8 +88,8 @@ const ExperimentKind& selection_kind() {
       "realism_standard",
       phrase("Protocols",
              "a selection must state the standard of realism: add the key %1 with %2, %3 or %4")
-          .with(key_name("realism_standard"), in_quotes("photograph"), in_quotes("physical_sample"),
-                in_quotes("memory"))}};
+          .with(key_name("realism_standard"), word_name("photograph"), word_name("physical_sample"),
+                word_name("memory"))}};
   static const ExperimentKind kKind{.id = "selection",
                                     .name = phrase("Protocols", "selection"),
                                     .roles = kAlternativeRole,

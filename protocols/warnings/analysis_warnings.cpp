@@ -103,7 +103,7 @@ class AnalysisWarnings final {
       return phrase("Protocols", "the responses are words, and no surface is chosen");
     }
     if (test == "point_of_subjective_equality" && all_are(has_correct_responses)) {
-      return phrase("Protocols", "it requires the judgement %1").with(in_quotes("comparison"));
+      return phrase("Protocols", "it requires the judgement %1").with(word_name("comparison"));
     }
     if (test == "conditions" && discriminations_.size() == 1 &&
         conditions_of(*discriminations_.front()) == 1) {

@@ -180,7 +180,7 @@ class DesignWarnings final {
     };
     if (block.positions != Block::Positions::balanced) {
       propose(phrase("Protocols", "set %1 to %2, since they are drawn for each trial")
-                  .with(key_name("positions"), in_quotes("balanced")));
+                  .with(key_name("positions"), word_name("balanced")));
     }
     if (block.until) {
       propose(phrase("Protocols", "remove %1, which can end the block after any trial")

@@ -105,14 +105,14 @@ std::string with_entities(std::string_view text) {
   return written;
 }
 
-/// What the translation file has under the context "Keys"; translations_test.py checks that each is translated.
-std::set<std::string> texts_with_a_translation() {
+/// What the translation file has under a context; translations_test.py checks that each is translated.
+std::set<std::string> texts_with_a_translation(const std::string& context) {
   std::ifstream stream(ASPERITY_SOURCE_DIR "/app/gui/translations/asperity_de.ts",
                        std::ios::binary);
   const std::string file{std::istreambuf_iterator<char>(stream), {}};
   const std::string opening = "<source>";
   std::set<std::string> sources{};
-  const std::size_t begin = file.find("<name>Keys</name>");
+  const std::size_t begin = file.find("<name>" + context + "</name>");
   const std::size_t end = file.find("</context>", begin);
   if (begin == std::string::npos) return sources;
   for (std::size_t at = file.find(opening, begin); at < end; at = file.find(opening, at)) {
@@ -133,11 +133,18 @@ TEST(KeyTexts, AreThoseThatAreTranslated) {
   for (const FormPage& page : form_pages()) {
     texts.insert({with_entities(page.label), with_entities(page.meaning)});
   }
-  const std::set<std::string> translated = texts_with_a_translation();
+  const std::set<std::string> translated = texts_with_a_translation("Keys");
   std::vector<std::string> missing{};
   std::set_difference(texts.begin(), texts.end(), translated.begin(), translated.end(),
                       std::back_inserter(missing));
   EXPECT_THAT(missing, IsEmpty());
+}
+
+TEST(WordsOfKeys, AreThoseThatAreTranslated) {
+  const std::set<std::string> translated = texts_with_a_translation("WordsOfKeys");
+  for (const std::string_view word : words_of_keys()) {
+    EXPECT_TRUE(translated.contains(std::string(word))) << word;
+  }
 }
 
 }  // namespace

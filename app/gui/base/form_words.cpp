@@ -51,6 +51,11 @@ QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_
   return in_quotes_of_form(text_of_keys(label));
 }
 
+/// A word, given in quotation marks.
+QString word_in_quotes(std::string_view quoted) {
+  return in_quotes_of_form(name_of_word(quoted.substr(1, quoted.size() - 2)));
+}
+
 /// The number at the place, as the form displays it; nullopt for another value.
 std::optional<NumberShape> number_at(const nlohmann::json& protocol, const std::string& pointer) {
   if (!protocol.contains(nlohmann::json::json_pointer(pointer))) return {};
@@ -78,6 +83,10 @@ QString with_settings(const std::string& sentence) {
 
 QString text_of_keys(std::string_view english) {
   return QCoreApplication::translate(kTextsOfKeys, std::string(english).c_str());
+}
+
+QString name_of_word(std::string_view word) {
+  return QCoreApplication::translate(kWordsOfKeys, std::string(word).c_str()).replace('_', ' ');
 }
 
 QString meaning_in_form(std::string_view english) {
@@ -125,6 +134,7 @@ QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remar
     const bool has_other_unit = number && !number->display.unit.empty();
     if (of == kUnitsOfFile && has_other_unit) return std::string();
     if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();
+    if (of == kWordsOfKeys) return word_in_quotes(words).toStdString();
     const std::string sentence =
         of == kTextsOfKeys ? meaning_in_form(words).toStdString() : windows(context, words);
     return sentence == words ? with_settings(sentence).toStdString() : sentence;

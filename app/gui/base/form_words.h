@@ -17,6 +17,8 @@ struct Diagnostic;
 
 /// A text of the tables of keys, which are English, in the language of the windows.
 QString text_of_keys(std::string_view english);
+/// A word of a choice: with blanks in place of underscores in English.
+QString name_of_word(std::string_view word);
 /// A meaning of the tables of keys, with the labels of the keys that it names in backticks.
 QString meaning_in_form(std::string_view english);
 

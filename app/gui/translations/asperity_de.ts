@@ -5117,7 +5117,7 @@
     </message>
     <message>
         <source>the protocol &quot;%1&quot; takes no levels from an external program; leave out the program %2, or set the procedure of a block to &quot;external&quot;</source>
-        <translation>das Protokoll „%1“ bezieht keine Stufen aus einem externen Programm; das Programm %2 weglassen oder das Verfahren eines Blocks auf „external“ setzen</translation>
+        <translation>das Protokoll „%1“ bezieht keine Stufen aus einem externen Programm; das Programm %2 weglassen oder das Verfahren eines Blocks auf „extern“ setzen</translation>
     </message>
     <message>
         <source>the external program %1 does not exist or is not a file; give the path of the program itself</source>
@@ -7204,7 +7204,7 @@
     </message>
     <message>
         <source>The block that matches the surfaces: a discrimination with the judgement comparison whose procedure varies the relative amplitude.</source>
-        <translation>Der Block, der die Oberflächen angleicht: eine Unterscheidung mit dem Urteil „comparison“, deren Verfahren die relative Amplitude variiert.</translation>
+        <translation>Der Block, der die Oberflächen angleicht: eine Unterscheidung mit dem Urteil „Vergleich“, deren Verfahren die relative Amplitude variiert.</translation>
     </message>
     <message>
         <source>Levels</source>
@@ -7248,7 +7248,7 @@
     </message>
     <message>
         <source>Role of the surface, determined by the kind: alternative in a selection and a paired comparison, standard or comparison in a discrimination, target otherwise.</source>
-        <translation>Rolle der Oberfläche, durch die Art bestimmt: alternative bei einer Auswahl und einem Paarvergleich, standard oder comparison bei einer Unterscheidung, sonst target.</translation>
+        <translation>Rolle der Oberfläche, durch die Art bestimmt: „Alternative“ bei einer Auswahl und einem Paarvergleich, „Standard“ oder „Vergleich“ bei einer Unterscheidung, sonst „Ziel“.</translation>
     </message>
     <message>
         <source>Stimulus</source>
@@ -8236,7 +8236,7 @@
     </message>
     <message>
         <source>Of a grid: the step, in the unit of its scale; with the scale ratio, a ratio above 1.</source>
-        <translation>Bei einem Raster: der Schritt, in der Einheit seiner Skala; mit der Skala ratio ein Verhältnis über 1.</translation>
+        <translation>Bei einem Raster: der Schritt, in der Einheit seiner Skala; mit der Skala „Verhältnis“ ein Verhältnis über 1.</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -8244,7 +8244,7 @@
     </message>
     <message>
         <source>Of a grid: the scale on which its steps are equal: linear, log10, db (decibels of an amplitude) or ratio.</source>
-        <translation>Bei einem Raster: die Skala, auf der seine Schritte gleich sind: linear, log10, db (Dezibel einer Amplitude) oder ratio.</translation>
+        <translation>Bei einem Raster: die Skala, auf der seine Schritte gleich sind: „linear“, „logarithmisch“, „Dezibel“ (einer Amplitude) oder „Verhältnis“.</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -8412,11 +8412,11 @@
     </message>
     <message>
         <source>the standard twice with the judgement performance, every choice in which is a false alarm</source>
-        <translation>zweimal der Standardreiz mit dem Urteil performance, jede Wahl ist hier ein falscher Alarm</translation>
+        <translation>zweimal der Standardreiz mit dem Urteil „Leistung“, jede Wahl ist hier ein falscher Alarm</translation>
     </message>
     <message>
         <source>the standard twice with the judgement comparison</source>
-        <translation>zweimal der Standardreiz mit dem Urteil comparison</translation>
+        <translation>zweimal der Standardreiz mit dem Urteil „Vergleich“</translation>
     </message>
     <message>
         <source>Type</source>
@@ -8428,7 +8428,7 @@
     </message>
     <message>
         <source>Of the type easy, which requires it: level of the catch trials, in the measure of the levels of the varied parameter; at least as easy as the easiest of them.</source>
-        <translation>Beim Typ easy, der sie erfordert: Stufe der Kontrolldurchgänge, im Maß der Stufen des variierten Parameters; mindestens so leicht wie die leichteste von ihnen.</translation>
+        <translation>Beim Typ „leicht“, der sie erfordert: Stufe der Kontrolldurchgänge, im Maß der Stufen des variierten Parameters; mindestens so leicht wie die leichteste von ihnen.</translation>
     </message>
     <message>
         <source>Trials per catch trial</source>
@@ -8680,7 +8680,7 @@
     </message>
     <message>
         <source>Expectation of a texture: none (a selection, a matching or a recognition is then guessed), its true height field (if it is felt on bodies only: these bodies), or the stated prior.</source>
-        <translation>Erwartung von einer Textur: none (eine Auswahl, eine Zuordnung oder eine Wiedererkennung wird dann geraten), ihr wahres Höhenfeld (wenn sie nur an Körpern gefühlt wird: diese Körper) oder die angegebenen erwarteten Merkmale.</translation>
+        <translation>Erwartung von einer Textur: „ohne“ (eine Auswahl, eine Zuordnung oder eine Wiedererkennung wird dann geraten), ihr wahres Höhenfeld (wenn sie nur an Körpern gefühlt wird: diese Körper) oder die angegebenen erwarteten Merkmale.</translation>
     </message>
     <message>
         <source>Cut-off wavelength</source>
@@ -9704,7 +9704,7 @@
     </message>
     <message>
         <source>Discrimination with the judgement comparison: whether the question asks for the surface with the higher or the lower value of the varied parameter.</source>
-        <translation>Unterscheidung mit dem Urteil comparison: ob nach der Oberfläche mit dem höheren oder dem niedrigeren Wert des variierten Parameters gefragt wird.</translation>
+        <translation>Unterscheidung mit dem Urteil „Vergleich“: ob nach der Oberfläche mit dem höheren oder dem niedrigeren Wert des variierten Parameters gefragt wird.</translation>
     </message>
     <message>
         <source>Confidence of</source>
@@ -9920,7 +9920,7 @@
     </message>
     <message>
         <source>the noise &quot;none&quot; has no level; remove this key</source>
-        <translation>ohne Rauschen („none“) gibt es keinen Pegel; diese Einstellung entfernen</translation>
+        <translation>ohne Rauschen („ohne“) gibt es keinen Pegel; diese Einstellung entfernen</translation>
     </message>
     <message>
         <source>participants read the screens of the flow: write the instructions there, as {&quot;screen&quot;: …} before the first block, and remove this key</source>
@@ -17738,6 +17738,537 @@
     </message>
 </context>
 <context>
+    <name>WordsOfKeys</name>
+    <message>
+        <source>familiarisation</source>
+        <translation>Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>main</source>
+        <translation>Hauptteil</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>shuffle</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>shuffle_within_repetition</source>
+        <translation>gemischt je Wiederholung</translation>
+    </message>
+    <message>
+        <source>as_listed</source>
+        <translation>Listenfolge</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausbalanciert</translation>
+    </message>
+    <message>
+        <source>one_after_another</source>
+        <translation>nacheinander</translation>
+    </message>
+    <message>
+        <source>one_page</source>
+        <translation>eine Seite</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>correctness</source>
+        <translation>Richtigkeit</translation>
+    </message>
+    <message>
+        <source>correct_answer</source>
+        <translation>Lösung</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>continue_flagged</source>
+        <translation>fortsetzen und markieren</translation>
+    </message>
+    <message>
+        <source>end_session</source>
+        <translation>Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>sequential</source>
+        <translation>sequenziell</translation>
+    </message>
+    <message>
+        <source>side_by_side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>on_request</source>
+        <translation>auf Wunsch</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>gezogen</translation>
+    </message>
+    <message>
+        <source>alternative</source>
+        <translation>Alternative</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>cpu</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>gpu</source>
+        <translation>GPU</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>hand_occluded</source>
+        <translation>Hand verdeckt</translation>
+    </message>
+    <message>
+        <source>blindfold</source>
+        <translation>Augenbinde</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation>neutral</translation>
+    </message>
+    <message>
+        <source>as_they_are</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+    <message>
+        <source>flag</source>
+        <translation>markieren</translation>
+    </message>
+    <message>
+        <source>repeat_now</source>
+        <translation>sofort wiederholen</translation>
+    </message>
+    <message>
+        <source>requeue_at_end_of_block</source>
+        <translation>am Blockende wiederholen</translation>
+    </message>
+    <message>
+        <source>experimenter</source>
+        <translation>Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>bars</source>
+        <translation>Balken</translation>
+    </message>
+    <message>
+        <source>moving_target</source>
+        <translation>bewegtes Ziel</translation>
+    </message>
+    <message>
+        <source>tones</source>
+        <translation>Töne</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>force_zero</source>
+        <translation>Kraft null</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>log10</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>db</source>
+        <translation>Dezibel</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>easy</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>no_signal</source>
+        <translation>ohne Signal</translation>
+    </message>
+    <message>
+        <source>identical_pair</source>
+        <translation>identisches Paar</translation>
+    </message>
+    <message>
+        <source>constant_stimuli</source>
+        <translation>konstante Reize</translation>
+    </message>
+    <message>
+        <source>transformed_up_down</source>
+        <translation>transformiertes Up-down</translation>
+    </message>
+    <message>
+        <source>weighted_up_down</source>
+        <translation>gewichtetes Up-down</translation>
+    </message>
+    <message>
+        <source>psi</source>
+        <translation>Psi</translation>
+    </message>
+    <message>
+        <source>quest_plus</source>
+        <translation>QUEST+</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>extern</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>lapse</source>
+        <translation>Fehlerrate</translation>
+    </message>
+    <message>
+        <source>same_level</source>
+        <translation>gleiche Stufe</translation>
+    </message>
+    <message>
+        <source>incorrect</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>true_surface</source>
+        <translation>wahre Oberfläche</translation>
+    </message>
+    <message>
+        <source>prior</source>
+        <translation>Vorwissen</translation>
+    </message>
+    <message>
+        <source>lateral_force</source>
+        <translation>Seitenkraft</translation>
+    </message>
+    <message>
+        <source>normal_force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>held_tool</source>
+        <translation>gehaltenes Werkzeug</translation>
+    </message>
+    <message>
+        <source>compliance</source>
+        <translation>Nachgiebigkeit</translation>
+    </message>
+    <message>
+        <source>permuted_blocks</source>
+        <translation>permutierte Blöcke</translation>
+    </message>
+    <message>
+        <source>by_experimenter</source>
+        <translation>durch die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>latin</source>
+        <translation>lateinisch</translation>
+    </message>
+    <message>
+        <source>williams</source>
+        <translation>Williams</translation>
+    </message>
+    <message>
+        <source>asperity.protocol/1</source>
+        <translation>asperity.protocol/1</translation>
+    </message>
+    <message>
+        <source>chapter</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>improved</source>
+        <translation>verbessert</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>periodisch</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>fade</source>
+        <translation>abklingend</translation>
+    </message>
+    <message>
+        <source>performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>two_alternatives</source>
+        <translation>2AFC</translation>
+    </message>
+    <message>
+        <source>three_alternatives</source>
+        <translation>3AFC</translation>
+    </message>
+    <message>
+        <source>oddity</source>
+        <translation>Oddity</translation>
+    </message>
+    <message>
+        <source>yes_no</source>
+        <translation>Ja/Nein</translation>
+    </message>
+    <message>
+        <source>same_different</source>
+        <translation>gleich/verschieden</translation>
+    </message>
+    <message>
+        <source>increases</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>decreases</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>texture_force_N</source>
+        <translation>Texturkraft (N)</translation>
+    </message>
+    <message>
+        <source>force_N</source>
+        <translation>Normalkraft (N)</translation>
+    </message>
+    <message>
+        <source>force_sd_N</source>
+        <translation>SD der Normalkraft (N)</translation>
+    </message>
+    <message>
+        <source>speed_m_per_s</source>
+        <translation>Geschwindigkeit (m/s)</translation>
+    </message>
+    <message>
+        <source>speed_sd_m_per_s</source>
+        <translation>SD der Geschwindigkeit (m/s)</translation>
+    </message>
+    <message>
+        <source>waves_5_to_10_mm</source>
+        <translation>Wellen von 5 bis 10 mm</translation>
+    </message>
+    <message>
+        <source>waves_2.5_to_5_mm</source>
+        <translation>Wellen von 2,5 bis 5 mm</translation>
+    </message>
+    <message>
+        <source>waves_1.25_to_2.5_mm</source>
+        <translation>Wellen von 1,25 bis 2,5 mm</translation>
+    </message>
+    <message>
+        <source>waves_0.625_to_1.25_mm</source>
+        <translation>Wellen von 0,625 bis 1,25 mm</translation>
+    </message>
+    <message>
+        <source>waves_0.3125_to_0.625_mm</source>
+        <translation>Wellen von 0,3125 bis 0,625 mm</translation>
+    </message>
+    <message>
+        <source>geometric_mean</source>
+        <translation>geometrisches Mittel</translation>
+    </message>
+    <message>
+        <source>photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>physical_sample</source>
+        <translation>echte Probe</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Erinnerung</translation>
+    </message>
+    <message>
+        <source>dissimilarity</source>
+        <translation>Unähnlichkeit</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>recognition</source>
+        <translation>Wiedererkennung</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>rating</source>
+        <translation>Beurteilung</translation>
+    </message>
+    <message>
+        <source>paired_comparison</source>
+        <translation>Paarvergleich</translation>
+    </message>
+    <message>
+        <source>discrimination</source>
+        <translation>Unterscheidung</translation>
+    </message>
+    <message>
+        <source>asperity.translation/1</source>
+        <translation>asperity.translation/1</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>multiple_choice</source>
+        <translation>Mehrfachauswahl</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+</context>
+<context>
     <name>asperity::AbortDialog</name>
     <message>
         <source>Abort the session?</source>
@@ -18301,6 +18832,12 @@
     <message>
         <source>New factor…</source>
         <translation>Neuer Faktor…</translation>
+    </message>
+    <message>
+        <source>%1
+In the file: %2</source>
+        <translation>%1
+In der Datei: %2</translation>
     </message>
 </context>
 <context>

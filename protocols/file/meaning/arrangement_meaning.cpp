@@ -147,7 +147,7 @@ void check_drawn_phase(CheckedDocument& checked, const Block& block, const std::
         phrase("Protocols",
                "the scene shows the relief of a surface, which would not agree with a drawn phase; "
                "use %1, or another scene")
-            .with(in_quotes("fixed")));
+            .with(word_name("fixed")));
   }
   if (checked.protocol.patch.tiling == Tiling::bounded) {
     checked.report(
@@ -155,7 +155,7 @@ void check_drawn_phase(CheckedDocument& checked, const Block& block, const std::
         phrase("Protocols",
                "a texture that is not repeated can be felt at one place only; use %1, or the "
                "tiling %2")
-            .with(in_quotes("fixed"), in_quotes("repeat")));
+            .with(word_name("fixed"), word_name("repeat")));
   }
   check_plane_models(checked, block, place + "/phase", phrase("Protocols", "have a drawn phase"));
 }

@@ -224,8 +224,8 @@ void check_pairs(CheckedDocument& checked, const Block& block, const std::string
                "the same level of each pair would always be presented first, so that an order "
                "effect could not be distinguished from a difference; set %1 to true, or %2 to %3 "
                "or %4")
-            .with(key_name("in_both_orders"), key_name("positions"), in_quotes("balanced"),
-                  in_quotes("shuffle")));
+            .with(key_name("in_both_orders"), key_name("positions"), word_name("balanced"),
+                  word_name("shuffle")));
   }
 }
 

@@ -144,7 +144,7 @@ void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
                           "the scene cannot show the texture that the model %1 renders on a body; "
                           "set %2 to %3 or %4")
                        .with(in_quotes(models.front()->id), key_name("visual_texture"),
-                             in_quotes("off"), in_quotes("neutral")));
+                             word_name("off"), word_name("neutral")));
   }
 }
 

@@ -94,7 +94,7 @@ void check_flow(CheckedDocument& checked) {
         phrase("Protocols",
                "no block has the phase %1, so that nothing can be practised again; remove this "
                "key, or add such a block")
-            .with(in_quotes("practice")));
+            .with(word_name("practice")));
   }
   if (checked.protocol.counterbalance != Protocol::Counterbalance::none && iterated.empty()) {
     checked.report(

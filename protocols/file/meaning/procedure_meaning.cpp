@@ -60,9 +60,9 @@ void check_bayesian_procedure(CheckedDocument& checked, const Block& block,
                    phrase("Protocols",
                           "the method %1 estimates a threshold of correct responses, but with the "
                           "judgement %2 no response is correct; use %3: %4, %5 or %6")
-                       .with(in_quotes(method), in_quotes("comparison"), key_name("judgement"),
-                             in_quotes("performance"), in_quotes("transformed_up_down"),
-                             in_quotes("constant_stimuli")));
+                       .with(word_name(method), word_name("comparison"), key_name("judgement"),
+                             word_name("performance"), word_name("transformed_up_down"),
+                             word_name("constant_stimuli")));
   }
   if (block.vary->measure == LevelMeasure::decibels) {
     checked.report(
@@ -70,7 +70,7 @@ void check_bayesian_procedure(CheckedDocument& checked, const Block& block,
         phrase("Protocols",
                "the method %1 needs levels that are proportional to the difference from the "
                "standard; state them as %2 or %3")
-            .with(in_quotes(method), key_name("levels_percent"), key_name("levels_difference")));
+            .with(word_name(method), key_name("levels_percent"), key_name("levels_difference")));
   }
 }
 
@@ -82,7 +82,7 @@ void check_unforced(CheckedDocument& checked, const Block& block, const std::str
   const bool is_performance = judged->judgement() == DiscriminationJudgement::performance;
   const Phrase remedy =
       phrase("Protocols", "; use %1, or remove %2 from the question")
-          .with(in_quotes(is_performance ? weighted_up_down().id : constant_stimuli().id),
+          .with(word_name(is_performance ? weighted_up_down().id : constant_stimuli().id),
                 key_name("allow_cannot_tell"));
   if (method == transformed_up_down().id) {
     checked.report(
@@ -90,7 +90,7 @@ void check_unforced(CheckedDocument& checked, const Block& block, const std::str
         phrase("Protocols",
                "the method %1 counts correct responses in succession, among which the response "
                "\"cannot tell\" cannot be counted%2")
-            .with(in_quotes(method), remedy));
+            .with(word_name(method), remedy));
   } else if (method == external().id) {
     checked.report(
         pointer + "/procedure/method",
@@ -104,7 +104,7 @@ void check_unforced(CheckedDocument& checked, const Block& block, const std::str
         phrase("Protocols",
                "the step after the response \"cannot tell\" is the mean step of a guess, which is "
                "defined where one response is correct; use %1, or the method %2")
-            .with(in_quotes("performance"), in_quotes(constant_stimuli().id)));
+            .with(word_name("performance"), word_name(constant_stimuli().id)));
   }
 }
 
@@ -121,7 +121,7 @@ void check_pairs_of_standards(CheckedDocument& checked, const Block& block,
                    phrase("Protocols",
                           "catch trials of this type present two standards, and those of %1 three "
                           "surfaces; use %2")
-                       .with(block.design()->with_article, in_quotes("easy")));
+                       .with(block.design()->with_article, word_name("easy")));
     return;
   }
   if (type != of_judgement) {
@@ -130,11 +130,11 @@ void check_pairs_of_standards(CheckedDocument& checked, const Block& block,
         (type == CatchType::no_signal
              ? phrase("Protocols",
                       "with the judgement %1 there is no signal to be found; set it to %2")
-                   .with(in_quotes("comparison"), in_quotes("identical_pair"))
+                   .with(word_name("comparison"), word_name("identical_pair"))
              : phrase("Protocols",
                       "with the judgement %1 the comparison has to be found, and a trial without "
                       "it has no signal; set it to %2")
-                   .with(in_quotes("performance"), in_quotes("no_signal"))));
+                   .with(word_name("performance"), word_name("no_signal"))));
     return;
   }
   if (judged->allow_cannot_tell) return;
@@ -143,7 +143,7 @@ void check_pairs_of_standards(CheckedDocument& checked, const Block& block,
       phrase("Protocols",
              "of two standards neither is the correct response, so that errors need the response "
              "\"cannot tell\"; add %1: true to the question, or use the type %2")
-          .with(key_name("allow_cannot_tell"), in_quotes("easy")));
+          .with(key_name("allow_cannot_tell"), word_name("easy")));
 }
 
 /// Errors in catch trials are lapses only if their level is easy and the correct response is known.
@@ -157,7 +157,7 @@ void check_catch_trials(CheckedDocument& checked, const Block& block, const std:
     checked.report(
         place,
         phrase("Protocols", "a catch trial of the type %1 has a level; add %2, or state another %3")
-            .with(in_quotes("easy"), key_name("level"), key_name("type")));
+            .with(word_name("easy"), key_name("level"), key_name("type")));
     return;
   }
   const double standard = *block.vary->standard;
@@ -192,8 +192,8 @@ void check_catch_trials(CheckedDocument& checked, const Block& block, const std:
       phrase("Protocols",
              "with the judgement %1 the correct response in a catch trial is known only if the "
              "question states %2: %3 or %4 of the varied parameter; add it to the question")
-          .with(in_quotes("comparison"), key_name("asks_for"), in_quotes("more"),
-                in_quotes("less")));
+          .with(word_name("comparison"), key_name("asks_for"), word_name("more"),
+                word_name("less")));
 }
 
 /// The settings of every track; those that tracks share are reported once.
@@ -284,7 +284,7 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
         phrase("Protocols",
                "the block %1 has a procedure, which needs the response to a trial before the next "
                "one; use %2 or %3")
-            .with(in_quotes(block.name), in_quotes("repeat_now"), in_quotes("flag")));
+            .with(in_quotes(block.name), word_name("repeat_now"), word_name("flag")));
   }
   if (!has_levels(*block.vary)) return;  // reported at /vary
   // A staircase and a posterior need levels in equal steps.
@@ -294,7 +294,7 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
                    phrase("Protocols",
                           "the method %1 needs levels in equal steps; state the levels as a grid: "
                           "{\"lowest\": …, \"highest\": …, \"step\": …}")
-                       .with(in_quotes(method)));
+                       .with(word_name(method)));
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
@@ -308,7 +308,7 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
         phrase("Protocols",
                "the method %1 presents a lower level after correct responses, but below the "
                "standard lower levels are easier; state levels above the standard, or use %2")
-            .with(in_quotes(method), in_quotes(constant_stimuli().id)));
+            .with(word_name(method), word_name(constant_stimuli().id)));
     return;
   }
   check_unforced(checked, block, method, pointer);

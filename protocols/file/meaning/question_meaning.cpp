@@ -42,7 +42,7 @@ bool check_question_keys(CheckedDocument& checked, const Block& block, const std
                    phrase("Protocols",
                           "questions on one page must be scales without labels between the ends; "
                           "set %1 to %2")
-                       .with(key_name("question_layout"), in_quotes("one_after_another")));
+                       .with(key_name("question_layout"), word_name("one_after_another")));
   }
   return true;
 }
@@ -150,7 +150,7 @@ void check_confidence(CheckedDocument& checked, const Block& block,
         phrase("Protocols",
                "with the judgement %1 no response is correct, so that there is no ROC; remove this "
                "key")
-            .with(in_quotes("comparison")));
+            .with(word_name("comparison")));
   }
   if (judged->allow_cannot_tell) {
     checked.report_key(
@@ -175,7 +175,7 @@ void check_confidence(CheckedDocument& checked, const Block& block,
         at, phrase("Protocols",
                    "an ROC needs trials at levels that do not depend on the responses; remove this "
                    "key, or use %1")
-                .with(in_quotes("constant_stimuli")));
+                .with(word_name("constant_stimuli")));
   }
   constexpr int kMostCategories = 10;
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
@@ -225,11 +225,11 @@ void check_condition_in_trial(CheckedDocument& checked, const Block& block, std:
                 ? phrase("Protocols",
                          "the questions of one page are shown together, so that the answer is not "
                          "known before; remove this key, or set %1 to %2")
-                      .with(key_name("question_layout"), in_quotes("one_after_another"))
+                      .with(key_name("question_layout"), word_name("one_after_another"))
                 : phrase("Protocols",
                          "the questions are asked in an order that is drawn, so that the answer is "
                          "not known before; remove this key, or set %1 to %2")
-                      .with(key_name("question_order"), in_quotes("fixed")));
+                      .with(key_name("question_order"), word_name("fixed")));
     return;
   }
   const auto end = block.questions.begin() + static_cast<std::ptrdiff_t>(question);
@@ -302,7 +302,7 @@ void check_question(CheckedDocument& checked, const Block& block, const std::str
                    phrase("Protocols",
                           "feedback needs a correct response, and no response of a %1 is correct "
                           "or incorrect; set it to %2")
-                       .with(kind.name, in_quotes("none")));
+                       .with(kind.name, word_name("none")));
   }
   check_criterion(checked, block, pointer);
 }

@@ -92,7 +92,7 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
         phrase("Protocols",
                "roughness is matched where both surfaces are judged rougher equally often, which "
                "the judgement %1 does not estimate; use %2")
-            .with(in_quotes("performance"), in_quotes("comparison")));
+            .with(word_name("performance"), word_name("comparison")));
   }
   if (!matching.procedure ||
       !std::all_of(
@@ -103,7 +103,7 @@ void check_equal_roughness(CheckedDocument& checked, const Block& block,
         phrase("Protocols",
                "the block %1 needs the amplitudes of equal roughness from this block: state a "
                "procedure %2 with %3: 1, %4: 1 and equal steps")
-            .with(in_quotes(block.name), in_quotes("transformed_up_down"), key_name("down"),
+            .with(in_quotes(block.name), word_name("transformed_up_down"), key_name("down"),
                   key_name("up")));
   }
   for (const std::string& factor : matching.drawn) {

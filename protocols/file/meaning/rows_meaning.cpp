@@ -135,7 +135,7 @@ void check_repetitions_of(CheckedDocument& checked, const Block& block,
         phrase("Protocols",
                "with unequal repetitions the repetitions do not have the same trials; use %1, or "
                "remove %2")
-            .with(in_quotes("shuffle"), key_name("repetitions_of")));
+            .with(word_name("shuffle"), key_name("repetitions_of")));
   }
   std::vector<std::size_t> matches(rows.size());
   for (std::size_t i = 0; i < block.repetitions_of.size(); ++i) {
@@ -270,7 +270,7 @@ void check_possible_order(CheckedDocument& checked, const Block& block,
                    phrase("Protocols",
                           "the fixed order of this block violates %1; use %2 or write the rows in "
                           "another order")
-                       .with(key_name(key), in_quotes("shuffle")));
+                       .with(key_name(key), word_name("shuffle")));
     return;
   }
   const Phrase problem =
@@ -389,7 +389,7 @@ void check_order(CheckedDocument& checked, const Block& block, const std::string
   if (block.has_anchor_at(AnchorPlace::middle) && !has_procedure && trials < 2) {
     checked.report(pointer + "/anchor_at",
                    phrase("Protocols", "a block with one trial has no middle; remove %1")
-                       .with(in_quotes("middle")));
+                       .with(word_name("middle")));
   }
   if (trials > kMaximumTrials) {
     checked.report(

@@ -23,7 +23,7 @@ void check_blindfold(CheckedDocument& checked) {
         phrase("Protocols",
                "a blindfolded participant sees no photograph while feeling; measure "
                "against %1 or %2, or choose another %3")
-            .with(in_quotes("physical_sample"), in_quotes("memory"), key_name("vision")));
+            .with(word_name("physical_sample"), word_name("memory"), key_name("vision")));
   }
   for (const auto& [name, block] : checked.protocol.blocks) {
     for (std::size_t i = 0; i < block.questions.size(); ++i) {

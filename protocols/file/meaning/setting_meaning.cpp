@@ -105,7 +105,7 @@ void check_guidance(CheckedDocument& checked, const Exploration& exploration,
                    phrase("Protocols",
                           "a blindfolded participant sees neither bars nor a target; choose %1 or "
                           "%2, or another %3")
-                       .with(in_quotes("tones"), in_quotes("experimenter"), key_name("vision")));
+                       .with(word_name("tones"), word_name("experimenter"), key_name("vision")));
   }
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
@@ -362,8 +362,8 @@ void check_explorations(CheckedDocument& checked) {
     if (!repeats && exploration.maximum_repeats > 0) {
       checked.report(pointer + "/maximum_repeats",
                      phrase("Protocols", "nothing is repeated while %1 is %2; choose %3 or %4")
-                         .with(key_name("on_failure"), in_quotes("flag"), in_quotes("repeat_now"),
-                               in_quotes("requeue_at_end_of_block")));
+                         .with(key_name("on_failure"), word_name("flag"), word_name("repeat_now"),
+                               word_name("requeue_at_end_of_block")));
     }
   }
 }

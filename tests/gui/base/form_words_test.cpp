@@ -84,6 +84,17 @@ TEST_F(WordsOfForm, NameKeysByTheirLabelsInGerman) {
               HasSubstr("die Einstellung „Kraftmodell“ fehlt"));
 }
 
+TEST_F(WordsOfForm, NameWordsOfChoicesAsChoicesShowThem) {
+  const std::string text =
+      jnd_with("\"on_failure\": \"flag\"", "\"on_failure\": \"flag\", \"maximum_repeats\": 2");
+  EXPECT_THAT(problem_at(text, "/explorations/stroking/maximum_repeats"),
+              testing::EndsWith("is “flag”; choose “repeat now” or “requeue at end of block”"));
+  apply_language("de");
+  EXPECT_THAT(problem_at(text, "/explorations/stroking/maximum_repeats"),
+              AllOf(HasSubstr("„markieren“"), HasSubstr("„sofort wiederholen“"),
+                    HasSubstr("„am Blockende wiederholen“")));
+}
+
 TEST_F(WordsOfForm, NameTheKeysOfAMeaningByTheirLabels) {
   EXPECT_EQ(meaning_in_form("At least `correct` of the last `of_last`."),
             "At least “Correct responses” of the last “Responses considered”.");

@@ -117,6 +117,21 @@ TEST_F(FormOfProtocol, ShowsTheValueOfAChoiceWhereItsExplanationHasNoRoom) {
   EXPECT_EQ(box.toolTip(), "none: no feedback");
 }
 
+TEST_F(FormOfProtocol, OffersGermanWordsInGermanWindowsAndWritesThoseOfTheFile) {
+  apply_language("de");
+  open(library_text("amplitude_jnd"));
+  auto& box = static_cast<ChoiceBox&>(control<QComboBox>("/blocks/comparisons/feedback"));
+  EXPECT_EQ(box.currentText(), "ohne: keine Rückmeldung");
+  EXPECT_EQ(box.toolTip(), "ohne: keine Rückmeldung\nIn der Datei: none");
+  take_screenshot(views_, "german-words-of-choices", {1366, 768});
+  const int correctness = box.findText("Richtigkeit: ob die Antwort richtig ist");
+  ASSERT_GE(correctness, 0);
+  box.setCurrentIndex(correctness);
+  emit box.activated(correctness);
+  EXPECT_EQ(tree()["blocks"]["comparisons"]["feedback"], "correctness");
+  apply_language("en");
+}
+
 TEST_F(FormOfProtocol, KeepsTheScrollPositionOfEachPage) {
   open(library_text("semantic_differential"));
   const QScrollBar& bar = *child<QScrollArea>(form(), "form_area").verticalScrollBar();

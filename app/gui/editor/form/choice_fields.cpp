@@ -40,6 +40,14 @@ ChoiceBox* make_box(QWidget* parent) {
   return box;
 }
 
+/// The text, with the word in the file where another one is shown.
+QString help_on(const ChoiceField::Choice& choice) {
+  const bool has_other_name =
+      !choice.shown_value.isEmpty() && choice.shown_value != text(choice.value);
+  if (!has_other_name) return choice.text;
+  return ChoiceField::tr("%1\nIn the file: %2").arg(choice.text, text(choice.value));
+}
+
 /// Replaces the items unless they are the same: the list can be open.
 void set_items(ChoiceBox& box, const std::vector<ChoiceField::Choice>& choices, int current) {
   const QSignalBlocker quiet(&box);
@@ -53,13 +61,14 @@ void set_items(ChoiceBox& box, const std::vector<ChoiceField::Choice>& choices, 
     for (const ChoiceField::Choice& choice : choices) {
       box.addItem(choice.text, text(choice.value));
       box.setItemData(box.count() - 1, choice.shown_value, ChoiceBox::kValueRole);
+      box.setItemData(box.count() - 1, help_on(choice), Qt::ToolTipRole);
     }
   }
   if (box.currentIndex() != current) box.setCurrentIndex(current);
   const QString value = box.currentData(ChoiceBox::kValueRole).toString();
   const int needed = box.width_for(value.isEmpty() ? box.currentText() : value);
   box.setMinimumWidth(std::clamp(needed, kLeastChoiceWidth, kMostNeededWidth));
-  box.setToolTip(box.currentText());
+  box.setToolTip(box.currentData(Qt::ToolTipRole).toString());
 }
 
 QHBoxLayout* make_row(QWidget* of) {

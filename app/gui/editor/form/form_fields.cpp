@@ -63,8 +63,6 @@ const ValueShape* shape_of_field(const ValueShape& shape, const nlohmann::json& 
   return nullptr;
 }
 
-QString shown_name(const KeyWord& word) { return text(std::string(word.name)).replace('_', ' '); }
-
 class FieldMaker final {
  public:
   FieldMaker(FormContext& context, const FieldOf& of, const std::string& pointer, QWidget* parent)
@@ -83,7 +81,7 @@ class FieldMaker final {
         [words = shape.words] {
           std::vector<ChoiceField::Choice> choices{};
           for (const KeyWord& word : words) {
-            choices.push_back({std::string(word.name), shown_word(word), shown_name(word)});
+            choices.push_back({std::string(word.name), shown_word(word), name_of_word(word.name)});
           }
           return choices;
         },
@@ -112,9 +110,12 @@ class FieldMaker final {
         [&context = context_, shape, pointer = pointer_] {
           std::vector<ChoiceField::Choice> choices{};
           for (const QString& name : context.source->names_for(shape, pointer)) {
+            const std::string value = name.toStdString();
+            const bool is_role = shape.registry == kRoleNames;
+            const QString shown = is_role ? name_of_word(value) : name;
             const QString meaning = context.source->meaning_of_name(shape, name);
-            choices.push_back({name.toStdString(), meaning.isEmpty() ? name : name + ": " + meaning,
-                               meaning.isEmpty() ? QString() : name});
+            choices.push_back({value, meaning.isEmpty() ? shown : shown + ": " + meaning,
+                               meaning.isEmpty() ? QString() : shown});
           }
           return choices;
         },
@@ -188,7 +189,7 @@ bool has_field(const ValueShape& shape, const nlohmann::json* value) {
 }
 
 QString shown_word(const KeyWord& word) {
-  const QString name = shown_name(word);
+  const QString name = name_of_word(word.name);
   return word.meaning.empty() ? name : name + ": " + text_of_keys(word.meaning);
 }
 
