@@ -130,9 +130,16 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
   return parts;
 }
 
-std::string summary_of(const ValueShape& shape, const json& value, const std::string& pointer) {
-  if (value.is_string()) return value.get<std::string>();
+std::string summary_of(const ValueShape& shape, const json& value, const std::string& pointer,
+                       const std::function<std::string(std::string_view word)>& name_of) {
   const ValueShape* const found = shape_of(shape, value);
+  if (value.is_string()) {
+    const auto given = value.get<std::string>();
+    const auto* const name = found == nullptr ? nullptr : std::get_if<NameShape>(found);
+    const bool is_role = name != nullptr && name->registry == kRoleNames;
+    const bool is_word = found != nullptr && std::holds_alternative<WordShape>(*found);
+    return is_word || is_role ? name_of(given) : given;
+  }
   if (value.is_number()) {
     const auto* const number = found == nullptr ? nullptr : std::get_if<NumberShape>(found);
     return number == nullptr ? value.dump() : with_unit(*number, value, pointer);
@@ -142,7 +149,7 @@ std::string summary_of(const ValueShape& shape, const json& value, const std::st
   std::size_t parts = 0;
   const auto add = [&](const ValueShape& of_part, const json& part, const std::string& place) {
     if (parts == kPartsOfSummary) return;
-    const std::string text = summary_of(of_part, part, place);
+    const std::string text = summary_of(of_part, part, place, name_of);
     if (text.empty()) return;
     summary = joined_text(std::move(summary), text);
     ++parts;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,8 +44,11 @@ struct PathPart {
 std::vector<PathPart> path_of(const nlohmann::json& protocol, const std::string& pointer);
 
 /// What the value of the shape at this place contains, in a line: the first texts and numbers of an object in the order of its
-/// table, without its name. Numbers are in the unit of the form.
-std::string summary_of(const ValueShape& shape, const nlohmann::json& value,
-                       const std::string& pointer);
+/// table, without its name. Numbers are in the unit of the form; words of choices have the name that `name_of` gives them.
+std::string summary_of(
+    const ValueShape& shape, const nlohmann::json& value, const std::string& pointer,
+    const std::function<std::string(std::string_view word)>& name_of = [](std::string_view word) {
+      return std::string(word);
+    });
 
 }  // namespace asperity

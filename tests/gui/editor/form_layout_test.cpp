@@ -132,6 +132,21 @@ TEST_F(FormOfProtocol, OffersGermanWordsInGermanWindowsAndWritesThoseOfTheFile) 
   apply_language("en");
 }
 
+TEST_F(FormOfProtocol, SummarizesStepsWithTheNamesOfWords) {
+  apply_language("de");
+  open(library_text("amplitude_jnd"));
+  ASSERT_NE(part("/flow"), nullptr);
+  QStringList summaries{};
+  for (const QLabel* const summary : form().findChildren<QLabel*>("summary")) {
+    summaries.append(summary->text());
+  }
+  EXPECT_TRUE(summaries.contains("Gerät")) << summaries.join(" | ").toStdString();
+  EXPECT_TRUE(summaries.contains("Kraft null"));
+  EXPECT_TRUE(summaries.join('|').contains("Übung · amplitude_m · Vergleich · Standard"));
+  take_screenshot(views_, "german-steps-of-flow", {1366, 768});
+  apply_language("en");
+}
+
 TEST_F(FormOfProtocol, KeepsTheScrollPositionOfEachPage) {
   open(library_text("semantic_differential"));
   const QScrollBar& bar = *child<QScrollArea>(form(), "form_area").verticalScrollBar();

@@ -157,7 +157,8 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   if (entry.key != nullptr) entry.key->refresh();
   if (entry.summary != nullptr) {
     const QString summary =
-        text(summary_of(entry_shape(), *source().find(entry.pointer), entry.pointer));
+        text(summary_of(entry_shape(), *source().find(entry.pointer), entry.pointer,
+                        [](std::string_view word) { return name_of_word(word).toStdString(); }));
     entry.title->show_text(title);
     entry.summary->show_text(summary.left(summary.indexOf('\n')));
     entry.summary->setVisible(!summary.isEmpty());
