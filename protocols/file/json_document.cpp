@@ -3,12 +3,12 @@
 #include "protocols/file/json_document.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <utility>
 
 #include "analysis/numbers/look_alikes.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/file/json_corrections.h"
 
 namespace asperity {
 
@@ -67,97 +67,6 @@ bool is_binary(std::string_view text) {
   return static_cast<unsigned char>(first) >= 0x80 ||
          (static_cast<unsigned char>(first) < 0x20 && first != '\t' && first != '\n' &&
           first != '\r');
-}
-
-/// Of a text in quotation marks that the parser refuses for this reason; begins with a semicolon, or is empty.
-Phrase correction_of_text(std::string_view reason) {
-  if (reason.find("missing closing quote") != std::string_view::npos) {
-    return phrase("Protocols", "; add the closing quotation mark");
-  }
-  if (reason.find("U+000A") != std::string_view::npos ||
-      reason.find("U+000D") != std::string_view::npos) {
-    return phrase("Protocols",
-                  "; add the closing quotation mark on this line, or write \\n for a line break");
-  }
-  if (reason.find("backslash") != std::string_view::npos) {
-    return phrase("Protocols", "; write \\\\ for a backslash");
-  }
-  return {};
-}
-
-bool is_of_word(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '.' ||
-         letter == '+' || letter == '-';
-}
-
-/// The word or the single character there.
-std::string_view token_at(std::string_view text, std::size_t from) {
-  std::size_t end = from;
-  while (end < text.size() && is_of_word(text[end])) ++end;
-  return text.substr(from, std::max<std::size_t>(end - from, 1));
-}
-
-/// How the token that the parser does not expect at `from` is corrected; empty where the token itself is the problem.
-/// `expected`: what the parser expects instead.
-Phrase correction_at(std::string_view text, std::size_t from, std::string_view expected) {
-  const std::size_t last =
-      from == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", from - 1);
-  const char before = last == std::string_view::npos ? '\0' : text[last];
-  const char token = text[from];
-  const auto expects = [expected](std::string_view what) {
-    return expected.find(what) != std::string_view::npos;
-  };
-  if (token == '\'') {
-    return phrase("Protocols", "write double quotation marks (\") instead of single ones");
-  }
-  if (token == '/' || token == '#') {
-    return phrase("Protocols",
-                  "JSON has no comments: delete it, or write it as the text of a key \"$comment\"");
-  }
-  if (expects("end of input")) {
-    return phrase("Protocols",
-                  "delete what follows the end of the protocol, or a closing bracket too many "
-                  "before it");
-  }
-  const bool is_digit = std::isdigit(static_cast<unsigned char>(token)) != 0;
-  if (is_digit && from > 1 && text[from - 1] == ',' &&
-      std::isdigit(static_cast<unsigned char>(text[from - 2])) != 0) {
-    return phrase("Protocols", "write a decimal point in place of the comma before it");
-  }
-  if (token == ',') {
-    return before == ':' ? phrase("Protocols", "write a value after the colon")
-                         : phrase("Protocols", "delete this comma");
-  }
-  if (token == '}' || token == ']') {
-    if (before == ',') {
-      return phrase("Protocols", "delete the comma before it: the last entry has none");
-    }
-    if (before == ':') return phrase("Protocols", "write a value after the colon");
-    if (expects("']'")) return phrase("Protocols", "close the list with ']' before it");
-    if (expects("'}'")) return phrase("Protocols", "close the object with '}' before it");
-    return {};
-  }
-  if (token == ':') {
-    return before == ':' ? phrase("Protocols", "delete this colon")
-                         : phrase("Protocols",
-                                  "a colon is permitted only between a key and its value: add a "
-                                  "comma or a quotation mark before it");
-  }
-  if (expects("':'")) {
-    return phrase("Protocols",
-                  "write a colon between a key and its value, and close every quotation mark");
-  }
-  if (expects("quotation marks") && is_of_word(token)) {
-    return phrase("Protocols", "write the key in \"quotation marks\"");
-  }
-  // "3x" is one word that is no number.
-  const bool is_separate = !is_of_word(token) || last + 1 < from;
-  const bool follows_a_value =
-      is_separate && (before == '"' || before == '}' || before == ']' || is_of_word(before));
-  if (follows_a_value && (expects("'}'") || expects("']'"))) {
-    return phrase("Protocols", "add a comma after the entry before it, or close a quotation mark");
-  }
-  return {};
 }
 
 }  // namespace
@@ -240,8 +149,7 @@ class JsonDocument::Handler {
       if (reason.find("UTF-8") != std::string::npos) {
         return refuse(where, phrase("Protocols", "this text is not UTF-8; save the file as UTF-8"));
       }
-      return refuse(where, phrase("Protocols", "this text is invalid: %1%2")
-                               .with(reason, correction_of_text(reason)));
+      return refuse(where, problem_of_text(reason));
     }
     if (from >= text.size()) {
       return refuse(text.size(),
@@ -268,18 +176,14 @@ class JsonDocument::Handler {
       return refuse(from, phrase("Protocols", "unexpected %1; %2")
                               .with(printable(token_at(text, from)), correction));
     }
-    std::size_t end = from;
-    while (end < text.size() && is_of_word(text[end])) ++end;
-    if (end > from) {
+    if (is_of_word(text[from])) {
       return refuse(from,
                     phrase("Protocols",
                            "%1 is not JSON: write a finite number, text in quotation marks, true, "
                            "false, null, […] or {…}")
-                        .with(printable(text.substr(from, end - from))));
+                        .with(printable(token_at(text, from))));
     }
-    return refuse(
-        from,
-        phrase("Protocols", "unexpected %1%2").with(printable(text.substr(from, 1)), expected));
+    return refuse(from, unexpected(expected).with(printable(text.substr(from, 1))));
   }
 
   std::vector<Diagnostic> take_problems() { return std::move(problems_); }

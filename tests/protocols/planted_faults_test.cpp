@@ -177,7 +177,7 @@ const Fault kSyntax[] = {
     {"infinite_number", R"("force_limit_N": 5)", R"("force_limit_N": 1e999)", "1e999", "/device",
      "too large"},
     {"cut_off", R"("version": "1.0.0",)", "\"version\": \"1.0.0", "\n  \"title\": \"Which", "",
-     "must be escaped"},
+     "contains a line break"},
     {"duplicate_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "version": "2.0.0",)",
      R"("version": "2.0.0")", "/version", "occurs twice"},
     {"zero_in_a_text", R"("version": "1.0.0",)", R"("version": "1.0\u0000",)", R"("1.0\u0000")",
@@ -647,13 +647,20 @@ TEST(PlantedFaults, ASyntaxErrorStatesItsCorrection) {
       {"{a: 1}", "1:2", "write the key in \"quotation marks\""},
       {"{'a': 1}", "1:2", "double quotation marks"},
       {"{\"a\": 1 // one\n}", "1:9", "\"$comment\""},
-      {"{\"a\": \"C:\\data\"}", "1:11", "write \\\\ for a backslash"}};
+      {"{\"a\": \"C:\\data\"}", "1:11", "write \\\\ for a backslash"},
+      {"{\"a\": \"one\ttwo\"}", "1:11", "the control character U+0009; write \\t for it"},
+      {"{\"a\": \"\x1b\"}", "1:8", "the control character U+001B; write \\u001B for it"},
+      {"{\"a\": \"\\u12\"}", "1:12", "four hexadecimal digits"},
+      {"{\"a\": \"\\ud83d\"}", "1:14", "half of a pair"},
+      {"{@: 1}", "1:2", "unexpected '@'"},
+      {"{\"a\": [1, @]}", "1:11", "unexpected '@'"}};
   for (const Case& one : cases) {
     const auto problems = problems_of(one.text);
     ASSERT_EQ(problems.size(), 1U) << one.text;
     EXPECT_THAT(text_of(problems[0]), testing::StartsWith("p.json:" + one.place + ": "))
         << one.text;
     EXPECT_THAT(problems[0].message.english(), testing::HasSubstr(one.correction)) << one.text;
+    EXPECT_EQ(test::untranslated(problems[0].message), "") << one.text;
   }
 }
 

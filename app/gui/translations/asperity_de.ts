@@ -12610,18 +12610,6 @@
         <translation>%1 ist kein Protokoll; ein Protokoll ist ein Objekt {…}, das mit &quot;format&quot;: &quot;asperity.protocol/1&quot; beginnt</translation>
     </message>
     <message>
-        <source>; add the closing quotation mark</source>
-        <translation>; das schließende Anführungszeichen ergänzen</translation>
-    </message>
-    <message>
-        <source>; add the closing quotation mark on this line, or write \n for a line break</source>
-        <translation>; das schließende Anführungszeichen in dieser Zeile ergänzen oder \n für einen Zeilenumbruch schreiben</translation>
-    </message>
-    <message>
-        <source>; write \\ for a backslash</source>
-        <translation>; \\ für einen umgekehrten Schrägstrich schreiben</translation>
-    </message>
-    <message>
         <source>write double quotation marks (&quot;) instead of single ones</source>
         <translation>doppelte Anführungszeichen (&quot;) statt einfacher schreiben</translation>
     </message>
@@ -12706,10 +12694,6 @@
         <translation>dieser Text ist nicht UTF-8; die Datei als UTF-8 speichern</translation>
     </message>
     <message>
-        <source>this text is invalid: %1%2</source>
-        <translation>dieser Text ist ungültig: %1%2</translation>
-    </message>
-    <message>
         <source>the file is empty; write a JSON object {…}</source>
         <translation>die Datei ist leer; ein JSON-Objekt {…} schreiben</translation>
     </message>
@@ -12728,10 +12712,6 @@
     <message>
         <source>%1 is not JSON: write a finite number, text in quotation marks, true, false, null, […] or {…}</source>
         <translation>%1 ist kein JSON: eine endliche Zahl, Text in Anführungszeichen, true, false, null, […] oder {…} schreiben</translation>
-    </message>
-    <message>
-        <source>unexpected %1%2</source>
-        <translation>%1 wird hier nicht erwartet%2</translation>
     </message>
     <message>
         <source>more than %1 entries in one place; reduce their number</source>
@@ -15244,6 +15224,54 @@
     <message>
         <source>%1; standard error of the log10 threshold at least %2 (β = %3)</source>
         <translation>%1; Standardfehler der log10-Schwelle mindestens %2 (β = %3)</translation>
+    </message>
+    <message>
+        <source>this text does not end; add the closing quotation mark</source>
+        <translation>dieser Text endet nicht; das schließende Anführungszeichen ergänzen</translation>
+    </message>
+    <message>
+        <source>this text contains a line break; add the closing quotation mark on this line, or write \n for a line break</source>
+        <translation>dieser Text enthält einen Zeilenumbruch; das schließende Anführungszeichen in dieser Zeile ergänzen oder \n für einen Zeilenumbruch schreiben</translation>
+    </message>
+    <message>
+        <source>this text contains the control character %1; write %2 for it</source>
+        <translation>dieser Text enthält das Steuerzeichen %1; dafür %2 schreiben</translation>
+    </message>
+    <message>
+        <source>there is no such character with a backslash; write \\ for a backslash</source>
+        <translation>ein solches Zeichen mit umgekehrtem Schrägstrich gibt es nicht; für einen umgekehrten Schrägstrich \\ schreiben</translation>
+    </message>
+    <message>
+        <source>\u must be followed by four hexadecimal digits; add them, or write \\ for a backslash</source>
+        <translation>auf \u müssen vier hexadezimale Ziffern folgen; sie ergänzen oder für einen umgekehrten Schrägstrich \\ schreiben</translation>
+    </message>
+    <message>
+        <source>this is half of a pair of \u characters; write both, or the character itself</source>
+        <translation>dies ist die Hälfte eines Paars von \u-Zeichen; beide schreiben oder das Zeichen selbst</translation>
+    </message>
+    <message>
+        <source>this text is invalid; correct it</source>
+        <translation>dieser Text ist ungültig; ihn korrigieren</translation>
+    </message>
+    <message>
+        <source>unexpected %1; expected a key in &quot;quotation marks&quot;</source>
+        <translation>%1 wird hier nicht erwartet, sondern ein Name in &quot;Anführungszeichen&quot;</translation>
+    </message>
+    <message>
+        <source>unexpected %1; expected a value</source>
+        <translation>%1 wird hier nicht erwartet, sondern ein Wert</translation>
+    </message>
+    <message>
+        <source>unexpected %1; expected &apos;}&apos;</source>
+        <translation>%1 wird hier nicht erwartet, sondern &apos;}&apos;</translation>
+    </message>
+    <message>
+        <source>unexpected %1; expected &apos;]&apos;</source>
+        <translation>%1 wird hier nicht erwartet, sondern &apos;]&apos;</translation>
+    </message>
+    <message>
+        <source>unexpected %1</source>
+        <translation>%1 wird hier nicht erwartet</translation>
     </message>
 </context>
 <context>
