@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Prints the texts and words of the keys of a protocol, a translation and a rendering (labels, meanings, computed defaults), of
-the designs of a discrimination, of the tests of kinds and of the pages of the form of a protocol as lines that lupdate reads."""
+the designs of a discrimination, of the tests of kinds, of the pages of the form of a protocol and of drivers (their constant
+sentences) as lines that lupdate reads."""
 import pathlib
 import re
 import sys
@@ -112,6 +113,20 @@ def words_in(source, named):
             yield named["".join(map(str, name))]
 
 
+def sentences_of_driver(source):
+    """The constant sentences that a driver states: its summary, remarks and blockers. Not those that are made of parts."""
+    tokens = tokens_of(source)
+    for at, token in enumerate(tokens):
+        if token not in ("summary", "remark", "blocker") or tokens[at + 1 : at + 2] != ["="]:
+            continue
+        end = at + 2
+        while end < len(tokens) and tokens[end] not in (",", ";", "}"):
+            end += 1
+        stated = tokens[at + 2 : end]
+        if "+" not in stated:
+            yield from (each[0] for each in stated if isinstance(each, tuple) and each[0])
+
+
 def main():
     if len(sys.argv) > 1:
         print("Usage: scripts/key_texts.py\n\nPrints a QT_TRANSLATE_NOOP line for each text, for scripts/translations.")
@@ -133,6 +148,11 @@ def main():
         print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')
     for word in words:
         print(f'QT_TRANSLATE_NOOP("WordsOfKeys", "{word}")')
+    drivers = {}
+    for path in sorted((ROOT / "device").rglob("*.cpp")):
+        drivers |= dict.fromkeys(sentences_of_driver(path.read_text(encoding="utf-8")))
+    for sentence in drivers:
+        print(f'QT_TRANSLATE_NOOP("Drivers", "{sentence}")')
 
 
 main()

@@ -57,7 +57,7 @@ def sources():
 
 def names_without_namespace():
     """What the sources declare for tr() and give to phrase() apart from classes of the namespace."""
-    declared = {"Keys", "WordsOfKeys"}
+    declared = {"Drivers", "Keys", "WordsOfKeys"}
     for _, text in sources():
         declared |= set(re.findall(r"Q_DECLARE_TR_FUNCTIONS\((\w+)\)", text))
         declared |= set(re.findall(PHRASE, text))
@@ -116,7 +116,8 @@ with tempfile.TemporaryDirectory() as fresh:
         if language == "de" and len(wanted) < 100:
             complaints.append(f"only {len(wanted)} texts were found in app")
         for name, what in (("SessionChecks", "phrase() was found in app"), ("Keys", "text was found in protocols/keys"),
-                           ("WordsOfKeys", "word was found in protocols/keys")):
+                           ("WordsOfKeys", "word was found in protocols/keys"),
+                           ("Drivers", "sentence was found in device")):
             if language == "de" and not any(key[0] == name for key in wanted):
                 complaints.append(f"no {what}")
     check_phrases()

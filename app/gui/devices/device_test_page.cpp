@@ -25,6 +25,7 @@
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/devices/device_test_steps.h"
+#include "app/gui/devices/driver_words.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
 #include "app/gui/devices/profile_words.h"
@@ -360,7 +361,7 @@ void DeviceTestPage::write_what_it_does() {
                  ' ' +
                  tr("Esc, F12 and the red button set the force to zero at once. At the end, move "
                     "the handle along the borders of its workspace.");
-  if (!device_.remark.empty()) said += ' ' + text(device_.remark);
+  if (!device_.remark.empty()) said += ' ' + words_of(phrase_of_driver(device_.remark));
   what_->set_state(State::look, said);
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/gui/base/settings.h"
 #include "app/gui/base/shown_text.h"
+#include "app/gui/devices/driver_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 
@@ -99,7 +100,7 @@ struct Said {
 
 /// What a driver says, beside the field that makes it good.
 QString sentence_of(const std::string& said) {
-  return words_of(Phrase(said).as_sentence(), DriverSetup::tr("the field above"));
+  return words_of(phrase_of_driver(said).as_sentence(), DriverSetup::tr("the field above"));
 }
 
 /// What its driver makes of it.

@@ -19,6 +19,7 @@
 #include "app/gui/base/session_keys.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/devices/driver_setup.h"
+#include "app/gui/devices/driver_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -67,7 +68,7 @@ QString remark_of_choice(const DeviceChoice& choice) {
     case DeviceKind::attached:
       break;
   }
-  return words_of(Phrase(choice.remark));
+  return words_of(phrase_of_driver(choice.remark));
 }
 
 }  // namespace
@@ -259,7 +260,7 @@ void DeviceChooser::list() {
                       text(choice.device));
     if (choice.is_usable()) continue;
     rows->item(devices_->count() - 1)->setEnabled(false);
-    const QString why = words_of(Phrase(choice.blocker).as_sentence(), tr("“Set up…”"));
+    const QString why = words_of(phrase_of_driver(choice.blocker).as_sentence(), tr("“Set up…”"));
     rows->item(devices_->count() - 1)->setToolTip(why);
     if (choice.device != of_people_) why_not << tr("%1: %2").arg(name, why);
   }
@@ -308,7 +309,8 @@ void DeviceChooser::show_chosen() {
                                  protocol_ != nullptr && !question_->isVisibleTo(this)));
   QString said = remark_of_choice(now);
   if (is_attached && !now.is_usable()) {
-    said = has_looked_ ? words_of(Phrase(now.blocker).as_sentence(), tr("“Set up…”")) : QString();
+    said = has_looked_ ? words_of(phrase_of_driver(now.blocker).as_sentence(), tr("“Set up…”"))
+                       : QString();
   }
   if (whom_ == For::virtual_participants) {
     said = tr("Several virtual participants are simulated on the plain simulated device.");

@@ -12,6 +12,7 @@
 #include "app/device_bench/device_choice.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/devices/driver_setup.h"
+#include "app/gui/devices/driver_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"
@@ -285,7 +286,7 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   QFrame* card = make_device_card(QString::fromStdString(driver.name), state.state, state.words,
                                   found_, layout);
   card->setObjectName("device_" + QString::fromStdString(driver.id));
-  layout->addWidget(make_text(QString::fromStdString(driver.summary), card, true));
+  layout->addWidget(make_text(words_of(phrase_of_driver(driver.summary)), card, true));
   const auto say = [&](const QString& words) {
     if (words.isEmpty()) return;
     QLabel* text = make_text(words, card);
@@ -293,7 +294,7 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
     layout->addWidget(text);
   };
   const auto say_sentence = [&](const std::string& sentence) {
-    if (!sentence.empty()) say(words_of(Phrase(sentence).as_sentence(), tr("“Set up…”")));
+    if (!sentence.empty()) say(words_of(phrase_of_driver(sentence).as_sentence(), tr("“Set up…”")));
   };
   say(text(driver.survey.found));
   for (const AttachedDevice& device : driver.survey.attached) {

@@ -5106,6 +5106,69 @@
     </message>
 </context>
 <context>
+    <name>Drivers</name>
+    <message>
+        <source>A probe held by a virtual hand, for rehearsal and tests: no participant feels it.</source>
+        <translation>Ein Taster in einer virtuellen Hand, für Proben und Tests: Keine Versuchsperson fühlt ihn.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon: three degrees of freedom with force, over USB.</source>
+        <translation>Novint Falcon: drei Freiheitsgrade mit Kraft, über USB.</translation>
+    </message>
+    <message>
+        <source>Its firmware is loaded when it is opened.</source>
+        <translation>Seine Firmware wird beim Öffnen geladen.</translation>
+    </message>
+    <message>
+        <source>The model of this device cannot be read while another Force Dimension device is in use: close that one, then search again.</source>
+        <translation>Das Modell dieses Geräts kann nicht gelesen werden, solange ein anderes Gerät von Force Dimension in Gebrauch ist: das andere schließen, dann erneut suchen.</translation>
+    </message>
+    <message>
+        <source>After power-on it has to move by itself for some seconds to find its zero; confirmation is requested before it moves.</source>
+        <translation>Nach dem Einschalten muss es sich einige Sekunden lang selbst bewegen, um seinen Nullpunkt zu finden; vor der Bewegung wird um Bestätigung gebeten.</translation>
+    </message>
+    <message>
+        <source>delta, omega, sigma and lambda of Force Dimension, through the manufacturer&apos;s SDK.</source>
+        <translation>delta, omega, sigma und lambda von Force Dimension, über das SDK des Herstellers.</translation>
+    </message>
+    <message>
+        <source>Inverse3 of Haply, through the manufacturer&apos;s local service.</source>
+        <translation>Inverse3 von Haply, über den lokalen Dienst des Herstellers.</translation>
+    </message>
+    <message>
+        <source>Touch and Phantom of 3D Systems, through OpenHaptics.</source>
+        <translation>Touch und Phantom von 3D Systems, über OpenHaptics.</translation>
+    </message>
+    <message>
+        <source>Mouse or tablet in a window: moves and presses the probe; it exerts no force.</source>
+        <translation>Maus oder Grafiktablett in einem Fenster: bewegt und drückt den Taster; übt keine Kraft aus.</translation>
+    </message>
+    <message>
+        <source>It receives its input from a window, and there is none here: run the session in the program&apos;s windows.</source>
+        <translation>Die Eingabe kommt aus einem Fenster, und hier gibt es keines: die Sitzung in den Fenstern des Programms ausführen.</translation>
+    </message>
+    <message>
+        <source>A recorded hand: repeats recorded movements; it exerts no force.</source>
+        <translation>Eine aufgezeichnete Hand: wiederholt aufgezeichnete Bewegungen; übt keine Kraft aus.</translation>
+    </message>
+    <message>
+        <source>It replays a recording: name its file, replay:FILE.</source>
+        <translation>Es spielt eine Aufzeichnung ab: die Datei angeben, replay:DATEI.</translation>
+    </message>
+    <message>
+        <source>SpaceMouse of 3Dconnexion: moves and turns the probe; it exerts no force.</source>
+        <translation>SpaceMouse von 3Dconnexion: bewegt und dreht den Taster; übt keine Kraft aus.</translation>
+    </message>
+    <message>
+        <source>It has no motors: it moves the probe, and no force is felt.</source>
+        <translation>Es hat keine Motoren: Es bewegt den Taster, und keine Kraft ist zu fühlen.</translation>
+    </message>
+    <message>
+        <source>This program uses it now. Close it, then try again.</source>
+        <translation>Dieses Programm benutzt es gerade. Es schließen, dann erneut versuchen.</translation>
+    </message>
+</context>
+<context>
     <name>ExternalProgram</name>
     <message>
         <source>the file %1 cannot be read, and its checksum is stored with the session: %2; check the permissions of the file, or correct the external program and its arguments</source>

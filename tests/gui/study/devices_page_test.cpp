@@ -7,6 +7,9 @@
 #include <QtTest/QSignalSpy>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/settings.h"
+#include "app/gui/devices/driver_words.h"
+#include "app/gui/look/words.h"
 #include "tests/gui/study/pages_of_a_window.h"
 
 namespace asperity {
@@ -20,6 +23,31 @@ std::vector<SurveyedDriver> found_devices(bool has_firmware) {
           {.id = "falcon", .summary = "over USB", .survey = {.attached = {falcon}}},
           {.id = "openhaptics",
            .survey = {.blocker = "OpenHaptics is not installed. Name it with --library FILE."}}};
+}
+
+TEST_F(StudyPages, StateInGermanWhatDriversState) {
+  open_demo();
+  apply_language("de");
+  const DriverRegistry drivers = built_in_drivers();
+  for (const Driver& driver : drivers.drivers()) {
+    EXPECT_NE(words_of(phrase_of_driver(driver.summary)), text(driver.summary)) << driver.id;
+  }
+  DevicesPage page(
+      *window_.study(),
+      [](const std::stop_token&) {
+        const AttachedDevice falcon{.model = "Novint Falcon",
+                                    .remark = "Its firmware is loaded when it is opened."};
+        return std::vector<SurveyedDriver>{
+            {.id = "falcon", .name = "Falcon", .summary = "", .survey = {.attached = {falcon}}}};
+      },
+      nullptr);
+  QSignalSpy counted(&page, &StudyPage::counted);
+  page.show();
+  ASSERT_TRUE(eventually([&] { return counted.size() == 1; }));
+  QStringList texts{};
+  for (const QLabel* const label : page.findChildren<QLabel*>()) texts.append(label->text());
+  EXPECT_TRUE(texts.contains("Seine Firmware wird beim Öffnen geladen."));
+  apply_language("en");
 }
 
 TEST_F(PagesToRead, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
