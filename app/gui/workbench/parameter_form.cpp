@@ -22,7 +22,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
-#include "app/gui/workbench/parameter_words.h"
+#include "app/gui/base/parameter_words.h"
 
 namespace asperity {
 

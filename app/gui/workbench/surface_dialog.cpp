@@ -16,7 +16,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
-#include "app/gui/workbench/parameter_words.h"
+#include "app/gui/base/parameter_words.h"
 #include "app/gui/workbench/relief_picture.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/study_files/height_field_files.h"

@@ -55,6 +55,7 @@ TEST_F(FormOfProtocol, WritesANumberInTheUnitOfTheFile) {
   open(before);
   const std::string amplitude = "/stimuli/grating/parameters/amplitude_m";
   EXPECT_EQ(control<QLineEdit>(amplitude).text(), "50");
+  EXPECT_EQ(control<QLineEdit>(amplitude).accessibleName(), "Amplitude");
   type_into(amplitude, "2.5");
   EXPECT_EQ(text(), replaced(before, "5e-05", "0.0000025"));
   undo();

@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
+#include "app/gui/base/parameter_words.h"
 #include "app/gui/editor/form/form_fields.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/text_card.h"
@@ -178,6 +179,8 @@ QString EntryList::title_of(const Entry& entry, std::size_t index) const {
     const ProtocolKey* const kind = object->table->find(first_deciding(*object->table, present));
     if (kind != nullptr) return QString("%1. %2").arg(index + 1).arg(text_of_keys(kind->label));
   }
+  const Parameter* const parameter = source().parameter_at(entry.pointer);
+  if (parameter != nullptr) return caption_of(*parameter);
   return entry.name.empty() ? QString::number(index + 1) : text(entry.name);
 }
 
@@ -198,8 +201,10 @@ void EntryList::make_entries(std::vector<Entry> entries) {
 
 void EntryList::add_line(Entry& entry, std::size_t index) {
   auto* row = new WrappingRow();
-  if (source().parameter_at(entry.pointer) != nullptr) {
-    row->addWidget(make_field_label(text(entry.name), this));
+  if (const Parameter* const parameter = source().parameter_at(entry.pointer)) {
+    QLabel* label = make_field_label(caption_of(*parameter), this);
+    label->setToolTip(QString("%1\n%2").arg(text(parameter->name), words_of(parameter->meaning)));
+    row->addWidget(label);
   } else if (std::holds_alternative<MapShape>(shape_)) {
     entry.key = make_key_field(context(), entry.pointer, this);
     entry.key->setMinimumWidth(kLeastNameWidth);
@@ -339,9 +344,13 @@ QStringList EntryList::keys_to_add(QStringList& labels) const {
   }
   if (pointer().ends_with(kParameters)) {
     for (const Parameter* const parameter : source().parameters_of(stimulus())) {
+      if (source().find(pointer_to(pointer(), parameter->name)) != nullptr) continue;
       keys.append(text(parameter->name));
+      labels.append(caption_of(*parameter));
     }
-  } else if (!map->key.registry.empty() && !map->key.is_declared) {
+    return keys;
+  }
+  if (!map->key.registry.empty() && !map->key.is_declared) {
     keys = source().names_for(map->key, pointer());
   }
   keys.removeIf([this](const QString& key) {

@@ -11,6 +11,7 @@
 
 #include "app/gui/base/form_words.h"
 #include "app/gui/base/parameter_unit.h"
+#include "app/gui/base/parameter_words.h"
 #include "app/gui/editor/form/choice_fields.h"
 #include "app/gui/editor/form/typed_fields.h"
 #include "app/gui/look/words.h"
@@ -151,7 +152,7 @@ class FieldMaker final {
         [parameter] {
           std::vector<ChoiceField::Choice> choices{};
           for (const std::string& choice : parameter->choices) {
-            choices.push_back({choice, text(choice)});
+            choices.push_back({choice, choice_with_word(*parameter, choice)});
           }
           return choices;
         },

@@ -1,6 +1,6 @@
 // Names parameters, their choices and computed surfaces in the language of the windows.
 
-#include "app/gui/workbench/parameter_words.h"
+#include "app/gui/base/parameter_words.h"
 
 #include <algorithm>
 #include <array>
