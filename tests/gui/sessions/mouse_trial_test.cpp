@@ -45,6 +45,8 @@ TEST_F(MouseTrials, EndWithoutAQuestion) {
   EXPECT_TRUE(child<QPushButton>(experimenter(), "abort").text().startsWith("End"));
   const auto& skip = child<QPushButton>(experimenter(), "skip");
   wait_for("a trial", [&] {
+    const bool is_text = view().scene().kind == Scene::Kind::text;
+    if (is_text && view().waits() && can_be_perceived()) key(Qt::Key_Return);
     experimenter().refresh();
     return skip.isEnabled();
   });
