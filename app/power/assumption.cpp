@@ -142,7 +142,7 @@ std::string json_of(std::span<const Assumption> assumptions) {
                {"unit", assumption.unit},
                {"source", assumption.source},
                {"part", text_of(assumption.part)},
-               {"meaning", assumption.meaning}};
+               {"meaning", assumption.meaning.english()}};
     if (assumption.part == Assumption::Part::effect) {
       entry["tests"] = assumption.tests;
       entry["null_value"] = assumption.null_value;

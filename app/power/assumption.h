@@ -21,7 +21,7 @@ struct Assumption {
   std::optional<double> value{};  ///< none: it has to be stated
   std::string unit = "1";         ///< "1" of a pure number
   std::string source{};           ///< "assumed", or where the value is from
-  std::string meaning{};          ///< a clause
+  Phrase meaning{};               ///< a clause
   double null_value = 0.0;        ///< of an effect
   std::string
       tests{};  ///< of an effect: the names of the tests that it concerns, "pairs, preference"

@@ -24,8 +24,8 @@ const Assumption* find_assumption(const std::vector<Assumption>& all, const std:
 std::string problem_with(const Assumption& needed, const Assumption* stated) {
   if (stated == nullptr) return needed.name + " is missing";
   if (!stated->value) {
-    return needed.name + " has no value (" + needed.meaning + ", in the unit \"" + needed.unit +
-           "\")";
+    return needed.name + " has no value (" + needed.meaning.english() + ", in the unit \"" +
+           needed.unit + "\")";
   }
   if (!is_in_range(needed.range, *stated->value)) {
     return needed.name + " is " + digits(*stated->value) + ", and must be " + text_of(needed.range);

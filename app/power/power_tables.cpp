@@ -3,9 +3,9 @@
 #include "app/power/power_tables.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <variant>
 
+#include "analysis/words/phrased_error.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
@@ -14,19 +14,19 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kRemedy =
-    "; add --physics to simulate them on the full physics, with the observers of the protocol";
-
-[[noreturn]] void refuse(const Protocol::Block& block, const std::string& why) {
-  throw std::runtime_error("studies of the block \"" + block.name +
-                           "\" cannot be simulated from response tables: " + why + kRemedy);
+[[noreturn]] void refuse(const Protocol::Block& block, const Phrase& why) {
+  throw PhrasedError(
+      phrase("Responses",
+             "studies of the block %1 cannot be simulated from response tables: %2; add --physics "
+             "to simulate them on the full physics, with the observers of the protocol")
+          .with(quoted_name(block.name), why));
 }
 
 void refuse_external_levels(const Protocol::Block& block) {
   if (!block.procedure) return;
   for (const ProcedureSettings& settings : block.procedure->tracks) {
     if (std::holds_alternative<External>(settings)) {
-      refuse(block, "an external program states its levels");
+      refuse(block, phrase("Responses", "an external program states its levels"));
     }
   }
 }
@@ -53,24 +53,28 @@ TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::B
   if (question.condition) {
     const auto* const needed = question_named(block, question.condition->question);
     if (needed != nullptr && needed->is_additional) {
-      refuse(block, "the question \"" + question.name + "\" depends on the additional question \"" +
-                        needed->name + "\", whose responses are not simulated");
+      refuse(block, phrase("Responses",
+                           "the question %1 depends on the additional question %2, whose responses "
+                           "are not simulated")
+                        .with(quoted_name(question.name), quoted_name(needed->name)));
     }
   }
   const ExperimentKind& kind = *kind_of_question(of_block, question);
   if (kind.responses == nullptr) {
-    refuse(block, "the kind \"" + kind.name.english() + "\" has no response table");
+    refuse(block, phrase("Responses", "the kind \"%1\" has no response table").with(kind.name));
   }
   TabulatedBlock::OfQuestion made{.asked = tabulated_question(protocol, block, question, possible),
                                   .table = kind.responses,
                                   .is_of_block = &kind == &of_block};
   if (made.table->refusal != nullptr) {
-    const std::string why = made.table->refusal(made.asked);
+    const Phrase why = made.table->refusal(made.asked);
     if (!why.empty()) refuse(block, why);
   }
   const std::string test = group_test_without_effect(made);
   if (!test.empty()) {
-    refuse(block, "response tables have no effect of the groups for the test \"" + test + '"');
+    refuse(block,
+           phrase("Responses", "response tables have no effect of the groups for the test %1")
+               .with(quoted_name(test)));
   }
   return made;
 }

@@ -24,48 +24,60 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
   if (is_about_target(asked)) {
     list.effect({.effect = {.name = kTarget,
                             .unit = "log-odds",
-                            .meaning = "natural log-odds that the target \"" +
-                                       *asked.protocol.analysis.target +
-                                       "\" is chosen rather than any one other item"},
+                            .meaning = phrase("Responses",
+                                              "natural log-odds that the target %1 is chosen "
+                                              "rather than any one other item")
+                                           .with(quoted_name(*asked.protocol.analysis.target))},
                  .tests = {"target_pairs", "pairs", "preference"},
                  .compared_in = {kGroupsTest, "textures"},
                  .sd_unit = "log-odds",
-                 .sd_meaning = "SD over participants of the log-odds between any two items",
+                 .sd_meaning = phrase("Responses",
+                                      "SD over participants of the log-odds between any two items"),
                  .usual_sd = 1.0});
     if (const auto* const groups = groups_in(asked)) {
       const auto& [factor, levels] = *groups;
-      list.effect_of_groups({.name = difference_between(factor),
-                             .unit = "log-odds",
-                             .meaning = "natural log-odds of the target in the group \"" +
-                                        levels.back() + "\" minus those in \"" + levels.front() +
-                                        "\""});
+      list.effect_of_groups(
+          {.name = difference_between(factor),
+           .unit = "log-odds",
+           .meaning = phrase("Responses",
+                             "natural log-odds of the target in the group %1 minus those in %2")
+                          .with(quoted_name(levels.back()), quoted_name(levels.front()))});
     }
   } else {
-    list.effect({.effect = {.name = kDifference,
-                            .unit = "log-odds",
-                            .meaning = text_of({.last = "natural log-odds of a choice of",
-                                                .first = "rather than",
-                                                .items = "items"},
-                                               asked.items)},
-                 .tests = {"pairs", "preference"},
-                 .sd_unit = "log-odds",
-                 .sd_meaning = "SD over participants of the log-odds between any two items",
-                 .usual_sd = 1.0});
+    list.effect(
+        {.effect = {.name = kDifference,
+                    .unit = "log-odds",
+                    .meaning = text_of(
+                        {.of_ends = phrase("Responses",
+                                           "natural log-odds of a choice of %1 rather than %2"),
+                         .in_order = phrase(
+                             "Responses",
+                             "%1; the items between them are equally spaced, in the order %2")},
+                        asked.items)},
+         .tests = {"pairs", "preference"},
+         .sd_unit = "log-odds",
+         .sd_meaning =
+             phrase("Responses", "SD over participants of the log-odds between any two items"),
+         .usual_sd = 1.0});
   }
   list.effect(
       {.effect = {.name = "order",
                   .unit = "log-odds",
-                  .meaning = "natural log-odds in favour of the surface that is presented first, "
-                             "between surfaces that are otherwise equally preferred"},
+                  .meaning =
+                      phrase("Responses",
+                             "natural log-odds in favour of the surface that is presented first, "
+                             "between surfaces that are otherwise equally preferred")},
        .tests = {"position"},
        .sd_unit = "log-odds",
-       .sd_meaning = "SD over participants of the log-odds in favour of the first surface",
+       .sd_meaning = phrase("Responses",
+                            "SD over participants of the log-odds in favour of the first surface"),
        .usual_sd = 0.3});
   if (asked.question.own_as<PairQuestion>() != nullptr) {
     list.assumed({.name = "tie_within",
                   .range = ParameterRange::not_negative,
                   .unit = "log-odds",
-                  .meaning = "difference of the utilities below which the response is a tie",
+                  .meaning = phrase(
+                      "Responses", "difference of the utilities below which the response is a tie"),
                   .value = 0.3});
   }
   list.lapse();

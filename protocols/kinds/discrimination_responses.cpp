@@ -70,79 +70,91 @@ std::string ratio_of(const std::string& factor) { return factor + ".ratio"; }
 void add_thresholds(const TabulatedQuestion& asked, ParameterList& list) {
   const std::string& unit = asked.block.vary->unit;
   const double usual = usual_threshold(asked);
-  list.assumed({.name = kThreshold,
-                .range = ParameterRange::positive,
-                .unit = unit.empty() ? "1" : unit,
-                .meaning = "difference from the standard with d′ = 1 of the median participant",
-                .value = usual});
+  list.assumed(
+      {.name = kThreshold,
+       .range = ParameterRange::positive,
+       .unit = unit.empty() ? "1" : unit,
+       .meaning = phrase("Responses",
+                         "difference from the standard with d′ = 1 of the median participant"),
+       .value = usual});
   list.assumed({.name = "threshold_sd",
                 .range = ParameterRange::not_negative,
-                .meaning = "SD over participants of the natural logarithm of the threshold",
+                .meaning = phrase("Responses",
+                                  "SD over participants of the natural logarithm of the threshold"),
                 .value = 0.4});
   list.varies_within_groups("threshold_sd");
   list.assumed({.name = "slope",
                 .range = ParameterRange::positive,
-                .meaning = "exponent with which d′ grows with the difference",
+                .meaning = phrase("Responses", "exponent with which d′ grows with the difference"),
                 .value = 1.0});
   const auto* const groups = groups_in(asked);
   for (const auto& [factor, levels] : asked.factors) {
-    ResponseParameter ratio{.name = ratio_of(factor),
-                            .range = ParameterRange::positive,
-                            .unit = "ratio",
-                            .meaning = "threshold at \"" + levels.back() +
-                                       "\" divided by that at \"" + levels.front() + "\"",
-                            .null_value = 1.0};
+    ResponseParameter ratio{
+        .name = ratio_of(factor),
+        .range = ParameterRange::positive,
+        .unit = "ratio",
+        .meaning = phrase("Responses", "threshold at %1 divided by that at %2")
+                       .with(quoted_name(levels.back()), quoted_name(levels.front())),
+        .null_value = 1.0};
     if (groups != nullptr && groups->first == factor) {
       list.effect_of_groups(std::move(ratio));
       continue;
     }
     list.effect({.effect = std::move(ratio),
                  .tests = {"conditions"},
-                 .sd_meaning = "SD over participants of the natural logarithm of this ratio",
+                 .sd_meaning = phrase(
+                     "Responses", "SD over participants of the natural logarithm of this ratio"),
                  .usual_sd = 0.2});
   }
   if (is_performance(asked)) return;
   list.effect({.effect = {.name = kShift,
                           .unit = unit.empty() ? "1" : unit,
-                          .meaning = "point of subjective equality minus the standard"},
+                          .meaning = phrase("Responses",
+                                            "point of subjective equality minus the standard")},
                .tests = {"point_of_subjective_equality"},
                .sd_unit = unit.empty() ? "1" : unit,
-               .sd_meaning = "SD over participants of this difference",
+               .sd_meaning = phrase("Responses", "SD over participants of this difference"),
                .usual_sd = 0.5 * usual});
 }
 
 void add_decision(const TabulatedQuestion& asked, ParameterList& list) {
   const DiscriminationDesign& design = *asked.block.design();
   if (!design.has_noise()) {
-    list.effect({.effect = {.name = kOrder,
-                            .unit = "d′",
-                            .meaning = "advantage of the first surface: what is added to its "
-                                       "impression before the choice"},
-                 .tests = {"order"},
-                 .sd_unit = "d′",
-                 .sd_meaning = "SD over participants of this order effect",
-                 .usual_sd = 0.3});
+    list.effect(
+        {.effect = {.name = kOrder,
+                    .unit = "d′",
+                    .meaning = phrase("Responses",
+                                      "advantage of the first surface: what is added to its "
+                                      "impression before the choice")},
+         .tests = {"order"},
+         .sd_unit = "d′",
+         .sd_meaning = phrase("Responses", "SD over participants of this order effect"),
+         .usual_sd = 0.3});
   } else {
-    list.assumed({.name = kCriterion,
-                  .unit = "d′",
-                  .meaning = design.surfaces() == 1
-                                 ? "impression above which the response is \"yes\""
-                                 : "difference of two impressions from which on the response is "
-                                   "\"different\"",
-                  .value = design.surfaces() == 1 ? 0.5 : 1.5});
+    list.assumed(
+        {.name = kCriterion,
+         .unit = "d′",
+         .meaning = design.surfaces() == 1
+                        ? phrase("Responses", "impression above which the response is \"yes\"")
+                        : phrase("Responses",
+                                 "difference of two impressions from which on the response is "
+                                 "\"different\""),
+         .value = design.surfaces() == 1 ? 0.5 : 1.5});
     list.assumed({.name = "criterion_sd",
                   .range = ParameterRange::not_negative,
                   .unit = "d′",
-                  .meaning = "SD over participants of the criterion",
+                  .meaning = phrase("Responses", "SD over participants of the criterion"),
                   .value = 0.3});
   }
   if (asked.question.allow_cannot_tell) {
-    list.assumed({.name = "unsure_within",
-                  .range = ParameterRange::not_negative,
-                  .unit = "d′",
-                  .meaning = "difference of two impressions below which the response is \"cannot "
-                             "tell\"",
-                  .value = 0.3});
+    list.assumed(
+        {.name = "unsure_within",
+         .range = ParameterRange::not_negative,
+         .unit = "d′",
+         .meaning = phrase("Responses",
+                           "difference of two impressions below which the response is \"cannot "
+                           "tell\""),
+         .value = 0.3});
   }
   list.lapse();
 }

@@ -71,9 +71,10 @@ double mean_of_logarithms(const TabulatedQuestion& asked) {
 }
 
 /// What is estimated.
-std::string estimate_text(const TabulatedQuestion& asked) {
-  return std::holds_alternative<LineForm>(asked.question.form) ? "length of the drawn line"
-                                                               : "estimate";
+Phrase estimate_text(const TabulatedQuestion& asked) {
+  return std::holds_alternative<LineForm>(asked.question.form)
+             ? phrase("Responses", "length of the drawn line")
+             : phrase("Responses", "estimate");
 }
 
 /// The conditions, if the block has several.
@@ -83,80 +84,101 @@ bool has_conditions(const TabulatedQuestion& asked) {
 
 void add_curve(const TabulatedQuestion& asked, ParameterList& list) {
   const bool is_of_spacings = estimation_of(asked).items.empty();
-  const std::string estimate = estimate_text(asked);
+  const Phrase estimate = estimate_text(asked);
   if (!has_predictor(asked)) {
-    list.effect({.effect = {.name = kRatio,
-                            .range = ParameterRange::positive,
-                            .unit = "ratio",
-                            .meaning = text_of({.last = estimate + " of",
-                                                .first = "divided by that of",
-                                                .items = "stimuli"},
-                                               analysed_levels(asked)),
-                            .null_value = 1.0},
-                 .tests = {"stimuli", "spacing"},
-                 .sd_meaning = "SD over participants of the natural logarithm of the ratio of any "
-                               "two stimuli",
-                 .usual_sd = 0.3});
+    list.effect(
+        {.effect = {.name = kRatio,
+                    .range = ParameterRange::positive,
+                    .unit = "ratio",
+                    .meaning = text_of(
+                        {.of_ends = phrase("Responses", "%3 of %1 divided by that of %2"),
+                         .in_order = phrase(
+                             "Responses",
+                             "%1; the stimuli between them are equally spaced, in the order %2"),
+                         .details = estimate},
+                        analysed_levels(asked)),
+                    .null_value = 1.0},
+         .tests = {"stimuli", "spacing"},
+         .sd_meaning = phrase("Responses",
+                              "SD over participants of the natural logarithm of the ratio of any "
+                              "two stimuli"),
+         .usual_sd = 0.3});
     return;
   }
-  list.effect({.effect = {.name = kExponent,
-                          .meaning = "exponent of the power function of the " + estimate +
-                                     " over the " + (is_of_spacings ? "spacing" : "predictor") +
-                                     "; above 0, the first grows with the second"},
-               .tests = {"spacing", "stimuli", "exponent"},
-               .sd_meaning = "SD over participants of the exponent",
-               .usual_sd = 0.2});
+  list.effect(
+      {.effect = {.name = kExponent,
+                  .meaning = (is_of_spacings
+                                  ? phrase("Responses",
+                                           "exponent of the power function of the %1 over the "
+                                           "spacing; above 0, the first grows with the second")
+                                  : phrase("Responses",
+                                           "exponent of the power function of the %1 over the "
+                                           "predictor; above 0, the first grows with the second"))
+                                 .with(estimate)},
+       .tests = {"spacing", "stimuli", "exponent"},
+       .sd_meaning = phrase("Responses", "SD over participants of the exponent"),
+       .usual_sd = 0.2});
   if (!is_of_spacings) return;
   list.effect(
       {.effect = {.name = kCurvature,
-                  .meaning = "decrease of the logarithm (base 10) of the " + estimate +
-                             " from the spacing of maximum roughness to 10 times this spacing, and "
-                             "to a tenth of it"},
+                  .meaning =
+                      phrase("Responses",
+                             "decrease of the logarithm (base 10) of the %1 from the spacing of "
+                             "maximum roughness to 10 times this spacing, and to a tenth of it")
+                          .with(estimate)},
        .tests = {"peaks"},
-       .sd_meaning = "SD over participants of this decrease",
+       .sd_meaning = phrase("Responses", "SD over participants of this decrease"),
        .usual_sd = 0.2});
-  list.assumed({.name = kPeak,
-                .range = ParameterRange::positive,
-                .unit = "m",
-                .meaning = "spacing of maximum roughness of the median participant if the "
-                           "exponent is 0; otherwise it is multiplied by 10^(exponent / (2 · "
-                           "curvature))",
-                .value = std::pow(10.0, mean_of_logarithms(asked))});
+  list.assumed(
+      {.name = kPeak,
+       .range = ParameterRange::positive,
+       .unit = "m",
+       .meaning = phrase("Responses",
+                         "spacing of maximum roughness of the median participant if the "
+                         "exponent is 0; otherwise it is multiplied by 10^(exponent / (2 · "
+                         "curvature))"),
+       .value = std::pow(10.0, mean_of_logarithms(asked))});
   list.assumed({.name = "peak_sd",
                 .range = ParameterRange::not_negative,
-                .meaning = "SD over participants of the natural logarithm of this spacing",
+                .meaning = phrase("Responses",
+                                  "SD over participants of the natural logarithm of this spacing"),
                 .value = 0.2});
 }
 
 void add_conditions(const TabulatedQuestion& asked, ParameterList& list) {
   if (!has_conditions(asked)) return;
-  const std::string& last = estimation_of(asked).conditions.back();
-  const std::string& first = estimation_of(asked).conditions.front();
-  const std::string relative = " in \"" + last + "\" divided by that in \"" + first + "\"";
+  const std::string last = quoted_name(estimation_of(asked).conditions.back());
+  const std::string first = quoted_name(estimation_of(asked).conditions.front());
   list.effect({.effect = {.name = "condition.ratio",
                           .range = ParameterRange::positive,
                           .unit = "ratio",
-                          .meaning = estimate_text(asked) + relative,
+                          .meaning = phrase("Responses", "%1 in %2 divided by that in %3")
+                                         .with(estimate_text(asked), last, first),
                           .null_value = 1.0},
                .tests = {"condition"},
-               .sd_meaning = "SD over participants of the natural logarithm of this ratio",
+               .sd_meaning = phrase("Responses",
+                                    "SD over participants of the natural logarithm of this ratio"),
                .usual_sd = 0.2});
   if (!has_predictor(asked)) return;
   list.effect(
       {.effect = {.name = "condition.exponent",
-                  .meaning = "exponent in \"" + last + "\" minus that in \"" + first + "\""},
+                  .meaning =
+                      phrase("Responses", "exponent in %1 minus that in %2").with(last, first)},
        .tests = {"interaction", "stimuli_by_condition"},
-       .sd_meaning = "SD over participants of this difference",
+       .sd_meaning = phrase("Responses", "SD over participants of this difference"),
        .usual_sd = 0.1});
   if (!estimation_of(asked).items.empty()) return;
   list.effect({.effect = {.name = "condition.peak_ratio",
                           .range = ParameterRange::positive,
                           .unit = "ratio",
-                          .meaning = "spacing of maximum roughness" + relative +
-                                     ", if the exponents in both are equal",
+                          .meaning = phrase("Responses",
+                                            "spacing of maximum roughness in %1 divided by that in "
+                                            "%2, if the exponents in both are equal")
+                                         .with(last, first),
                           .null_value = 1.0},
                .tests = {"peaks", "interaction"},
-               .sd_meaning = "SD over participants of the natural logarithm of this ratio",
+               .sd_meaning = phrase("Responses",
+                                    "SD over participants of the natural logarithm of this ratio"),
                .usual_sd = 0.1});
 }
 
@@ -167,33 +189,37 @@ std::vector<ResponseParameter> parameters_of_magnitude(const TabulatedQuestion& 
   const bool is_line = std::holds_alternative<LineForm>(asked.question.form);
   const bool has_standard = estimation_of(asked).modulus.has_value();
   if (!has_standard) {
-    list.assumed({.name = "level",
-                  .meaning = is_line
-                                 ? "logarithm (base 10) of the mean line, relative to the longest"
-                                 : "logarithm (base 10) of the mean estimate",
-                  .value = is_line ? -0.5 : 1.0});
+    list.assumed(
+        {.name = "level",
+         .meaning = is_line
+                        ? phrase("Responses",
+                                 "logarithm (base 10) of the mean line, relative to the longest")
+                        : phrase("Responses", "logarithm (base 10) of the mean estimate"),
+         .value = is_line ? -0.5 : 1.0});
     list.assumed({.name = "level_sd",
                   .range = ParameterRange::not_negative,
-                  .meaning = "SD over participants of this logarithm",
+                  .meaning = phrase("Responses", "SD over participants of this logarithm"),
                   .value = is_line ? 0.1 : 0.3});
   }
-  list.assumed({.name = "noise_sd",
-                .range = ParameterRange::not_negative,
-                .meaning = "SD of the logarithm (base 10) of the estimates of one participant for "
-                           "one stimulus",
-                .value = 0.1});
+  list.assumed(
+      {.name = "noise_sd",
+       .range = ParameterRange::not_negative,
+       .meaning = phrase("Responses",
+                         "SD of the logarithm (base 10) of the estimates of one participant for "
+                         "one stimulus"),
+       .value = 0.1});
   list.lapse();
   return list.take();
 }
 
-std::string refusal_of_magnitude(const TabulatedQuestion& asked) {
+Phrase refusal_of_magnitude(const TabulatedQuestion& asked) {
   const EstimationDeclaration& estimation = estimation_of(asked);
   const bool is_stated = estimation.items.empty() || estimation.predictor.empty() ||
                          estimation.predictor == kLevelPredictor ||
                          estimation.predictor == kValuePredictor;
   if (is_stated) return {};
-  return "the predictor \"" + estimation.predictor +
-         "\" is measured on the surfaces as they are rendered";
+  return phrase("Responses", "the predictor %1 is measured on the surfaces as they are rendered")
+      .with(quoted_name(estimation.predictor));
 }
 
 double natural_to_decimal(double logarithm) { return logarithm / std::numbers::ln10; }

@@ -19,27 +19,30 @@ std::string ratio_of_groups(const std::string& factor) { return factor + ".ratio
 
 void add_sensitivity(const TabulatedQuestion& asked, std::vector<std::string> tests,
                      ParameterList& list) {
-  list.effect({.effect = {.name = kSensitivity,
-                          .range = ParameterRange::not_negative,
-                          .unit = "d′",
-                          .meaning = "d′ of the median participant: how far the picture of the "
-                                     "texture felt stands out"},
-               .tests = std::move(tests),
-               .compared_in = {kGroupsTest, "sexes"},
-               .sd_meaning = "SD over participants of the natural logarithm of d′",
-               .usual_sd = 0.5});
+  list.effect(
+      {.effect = {.name = kSensitivity,
+                  .range = ParameterRange::not_negative,
+                  .unit = "d′",
+                  .meaning = phrase("Responses",
+                                    "d′ of the median participant: how far the picture of the "
+                                    "texture felt stands out")},
+       .tests = std::move(tests),
+       .compared_in = {kGroupsTest, "sexes"},
+       .sd_meaning = phrase("Responses", "SD over participants of the natural logarithm of d′"),
+       .usual_sd = 0.5});
   if (const auto* const groups = groups_in(asked)) {
     const auto& [factor, levels] = *groups;
-    list.effect_of_groups({.name = ratio_of_groups(factor),
-                           .range = ParameterRange::positive,
-                           .unit = "ratio",
-                           .meaning = "d′ of the group \"" + levels.back() +
-                                      "\" divided by that of \"" + levels.front() + "\"",
-                           .null_value = 1.0});
+    list.effect_of_groups(
+        {.name = ratio_of_groups(factor),
+         .range = ParameterRange::positive,
+         .unit = "ratio",
+         .meaning = phrase("Responses", "d′ of the group %1 divided by that of %2")
+                        .with(quoted_name(levels.back()), quoted_name(levels.front())),
+         .null_value = 1.0});
   }
   list.assumed({.name = "texture_sd",
                 .range = ParameterRange::not_negative,
-                .meaning = "SD over textures of the natural logarithm of d′",
+                .meaning = phrase("Responses", "SD over textures of the natural logarithm of d′"),
                 .value = 0.3});
 }
 
@@ -49,7 +52,8 @@ std::vector<ResponseParameter> parameters_of_recognition(const TabulatedQuestion
   list.assumed({.name = "bias_sd",
                 .range = ParameterRange::not_negative,
                 .unit = "d′",
-                .meaning = "SD over pictures of a participant's preference for a picture",
+                .meaning = phrase("Responses",
+                                  "SD over pictures of a participant's preference for a picture"),
                 .value = 0.3});
   list.lapse();
   return list.take();

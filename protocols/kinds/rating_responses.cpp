@@ -112,44 +112,51 @@ RatedItem rated_item_of(const TabulatedTrial& trial) {
 std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& asked) {
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
-  const std::string on_scale = ", " + scale_text(form);
+  const Phrase on_scale = scale_text(form);
   ParameterList list(asked);
   if (has_several_items(asked)) {
-    list.effect({.effect = {.name = kItemDifference,
-                            .unit = kScaleUnits,
-                            .meaning = text_of({.last = "mean rating of",
-                                                .first = "minus that of",
-                                                .items = "items",
-                                                .details = on_scale},
-                                               rated_names(asked))},
-                 .tests = {"ratings", "rated_pairs", "rating_model"},
-                 .sd_unit = kScaleUnits,
-                 .sd_meaning = "SD over participants of the difference between any two items",
-                 .usual_sd = 0.15 * range});
+    list.effect(
+        {.effect = {.name = kItemDifference,
+                    .unit = kScaleUnits,
+                    .meaning = text_of(
+                        {.of_ends = phrase("Responses", "mean rating of %1 minus that of %2, %3"),
+                         .in_order = phrase(
+                             "Responses",
+                             "%1; the items between them are equally spaced, in the order %2"),
+                         .details = on_scale},
+                        rated_names(asked))},
+         .tests = {"ratings", "rated_pairs", "rating_model"},
+         .sd_unit = kScaleUnits,
+         .sd_meaning =
+             phrase("Responses", "SD over participants of the difference between any two items"),
+         .usual_sd = 0.15 * range});
   }
   if (accompanies_correct_responses(asked)) {
     list.effect({.effect = {.name = "correct",
                             .unit = kScaleUnits,
-                            .meaning = "mean rating of trials with a correct response minus that "
-                                       "of trials with an incorrect one" +
-                                       on_scale},
+                            .meaning = phrase("Responses",
+                                              "mean rating of trials with a correct response minus "
+                                              "that of trials with an incorrect one, %1")
+                                           .with(on_scale)},
                  .tests = {"accompanying_scales"},
                  .sd_unit = kScaleUnits,
-                 .sd_meaning = "SD over participants of this difference",
+                 .sd_meaning = phrase("Responses", "SD over participants of this difference"),
                  .usual_sd = 0.1 * range});
   }
   if (const auto* const groups = groups_in(asked)) {
     const auto& [factor, levels] = *groups;
-    list.effect_of_groups({.name = difference_between(factor),
-                           .unit = kScaleUnits,
-                           .meaning = "mean rating of all items in the group \"" + levels.back() +
-                                      "\" minus that in \"" + levels.front() + '"' + on_scale});
+    list.effect_of_groups(
+        {.name = difference_between(factor),
+         .unit = kScaleUnits,
+         .meaning =
+             phrase("Responses", "mean rating of all items in the group %1 minus that in %2, %3")
+                 .with(quoted_name(levels.back()), quoted_name(levels.front()), on_scale)});
   }
-  list.scale(
-      range,
-      {.meaning = "mean rating of all items" + on_scale, .value = form.minimum + 0.5 * range},
-      "SD over participants of the mean rating of all items",
-      "SD of the ratings of one participant for one item");
+  list.scale(range,
+             {.meaning = phrase("Responses", "mean rating of all items, %1").with(on_scale),
+              .value = form.minimum + 0.5 * range},
+             phrase("Responses", "SD over participants of the mean rating of all items"),
+             phrase("Responses", "SD of the ratings of one participant for one item"));
   list.varies_within_groups("level_sd");
   return list.take();
 }

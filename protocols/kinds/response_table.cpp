@@ -150,24 +150,28 @@ double place_among(const std::vector<std::string>& names, std::string_view name)
   return static_cast<double>(found - names.begin()) / static_cast<double>(names.size() - 1) - 0.5;
 }
 
-std::string scale_text(const ScaleForm& form) {
-  const auto end = [&form](double value, std::size_t label) {
-    return number_text(value) + (form.labels.empty() ? "" : " (\"" + form.labels[label] + "\")");
-  };
-  const std::size_t last = form.labels.empty() ? 0 : form.labels.size() - 1;
-  return "on the scale from " + end(form.minimum, 0) + " to " + end(form.maximum, last);
+std::string quoted_name(const std::string& name) { return '"' + name + '"'; }
+
+Phrase scale_text(const ScaleForm& form) {
+  if (form.labels.empty()) {
+    return phrase("Responses", "on the scale from %1 to %2")
+        .with(number_text(form.minimum), number_text(form.maximum));
+  }
+  return phrase("Responses", "on the scale from %1 (%2) to %3 (%4)")
+      .with(number_text(form.minimum), quoted_name(form.labels.front()), number_text(form.maximum),
+            quoted_name(form.labels.back()));
 }
 
-std::string text_of(const EndComparison& comparison, const std::vector<std::string>& names) {
-  const std::string first = names.empty() ? "the first" : '"' + names.front() + '"';
-  const std::string last = names.empty() ? "the last" : '"' + names.back() + '"';
-  const std::string text =
-      comparison.last + ' ' + last + ' ' + comparison.first + ' ' + first + comparison.details;
-  if (names.size() < 3) return text;
+Phrase text_of(const EndComparison& comparison, const std::vector<std::string>& names) {
+  const Phrase first =
+      names.empty() ? phrase("Responses", "the first") : Phrase(quoted_name(names.front()));
+  const Phrase last =
+      names.empty() ? phrase("Responses", "the last") : Phrase(quoted_name(names.back()));
+  const Phrase of_ends = comparison.of_ends.with(last, first, comparison.details);
+  if (names.size() < 3) return of_ends;
   std::string order{};
-  for (const std::string& name : names) order += (order.empty() ? "\"" : ", \"") + name + '"';
-  return text + "; the " + comparison.items + " between them are equally spaced, in the order " +
-         order;
+  for (const std::string& name : names) order += (order.empty() ? "" : ", ") + quoted_name(name);
+  return comparison.in_order.with(of_ends, order);
 }
 
 std::string ParameterList::in_family(const std::vector<std::string>& tests) const {
@@ -220,9 +224,8 @@ void ParameterList::effect(Effect effect) {
   parameters_.push_back(std::move(sd));
 }
 
-void ParameterList::scale(double range, ResponseParameter level, std::string level_sd,
-                          std::string noise_sd) {
-  const auto deviation = [](const char* name, std::string meaning, double usual) {
+void ParameterList::scale(double range, ResponseParameter level, Phrase level_sd, Phrase noise_sd) {
+  const auto deviation = [](const char* name, Phrase meaning, double usual) {
     return ResponseParameter{.name = name,
                              .range = ParameterRange::not_negative,
                              .unit = kScaleUnits,
@@ -240,7 +243,8 @@ void ParameterList::scale(double range, ResponseParameter level, std::string lev
 void ParameterList::lapse() {
   assumed({.name = "lapse",
            .range = ParameterRange::proportion,
-           .meaning = "probability of a response that does not depend on the surfaces",
+           .meaning = phrase("Responses",
+                             "probability of a response that does not depend on the surfaces"),
            .value = 0.02});
 }
 

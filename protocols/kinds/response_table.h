@@ -32,7 +32,7 @@ struct ResponseParameter {
   Part part = Part::other;
   ParameterRange range = ParameterRange::any;
   std::string unit = "1";         ///< "1" of a pure number
-  std::string meaning{};          ///< a clause
+  Phrase meaning{};               ///< a clause
   std::optional<double> value{};  ///< that is usually assumed; none: it has to be stated
   double null_value = 0.0;        ///< of an effect
   std::string
@@ -116,7 +116,7 @@ struct ResponseTable {
   std::vector<ResponseParameter> (*parameters)(const TabulatedQuestion& asked) = nullptr;
   /// Why responses to this question cannot be simulated this way, as a sentence without its end; empty where they can. Null:
   /// they always can.
-  std::string (*refusal)(const TabulatedQuestion& asked) = nullptr;
+  Phrase (*refusal)(const TabulatedQuestion& asked) = nullptr;
   Answer (*respond)(const TabulatedTrial& trial) = nullptr;
 };
 
@@ -127,18 +127,20 @@ double place_among(const std::vector<std::string>& names, std::string_view name)
 /// The unit of a rating.
 inline constexpr const char* kScaleUnits = "scale units";
 
+/// The name in quotation marks, in full.
+std::string quoted_name(const std::string& name);
+
 /// "on the scale from 0 (\"smooth\") to 100 (\"rough\")"; without labels "on the scale from 0 to 100".
-std::string scale_text(const ScaleForm& form);
+Phrase scale_text(const ScaleForm& form);
 
 /// The meaning of an effect between the last and the first of several names, with what it assumes of the others: `mean rating of
 /// "wood" minus that of "brick"; the items between them are equally spaced, in the order "brick", "metal", "wood"`.
 struct EndComparison {
-  std::string last{};     ///< the words before the last name, "mean rating of"
-  std::string first{};    ///< the words before the first name, "minus that of"
-  std::string items{};    ///< what the names are, "items"
-  std::string details{};  ///< words after the first name; may be empty
+  Phrase of_ends{};   ///< of the last name (%1) and the first (%2), and of the details (%3)
+  Phrase in_order{};  ///< of the comparison (%1) and the order (%2)
+  Phrase details{};
 };
-std::string text_of(const EndComparison& comparison, const std::vector<std::string>& names);
+Phrase text_of(const EndComparison& comparison, const std::vector<std::string>& names);
 
 /// Collects the parameters of a table.
 class ParameterList final {
@@ -154,7 +156,7 @@ class ParameterList final {
     /// deviation have to be stated as well, although the test does not concern the effect.
     std::vector<std::string> compared_in{};
     std::string sd_unit = "1";
-    std::string sd_meaning{};
+    Phrase sd_meaning{};
     double usual_sd = 0.0;
   };
   void effect(Effect effect);
@@ -166,7 +168,7 @@ class ParameterList final {
   void varies_within_groups(const std::string& sd);
   void assumed(ResponseParameter parameter) { parameters_.push_back(std::move(parameter)); }
   /// A rating on a scale of this range: `level` with a value and a meaning, `level_sd`, `noise_sd` and `lapse`.
-  void scale(double range, ResponseParameter level, std::string level_sd, std::string noise_sd);
+  void scale(double range, ResponseParameter level, Phrase level_sd, Phrase noise_sd);
   /// `lapse`: the probability of a response that does not depend on the surfaces.
   void lapse();
   std::vector<ResponseParameter> take() { return std::move(parameters_); }

@@ -20,34 +20,41 @@ constexpr const char* kIdentical = "identical";
 std::vector<ResponseParameter> parameters_of_similarity(const TabulatedQuestion& asked) {
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
-  const std::string on_scale = ", " + scale_text(form);
+  const Phrase on_scale = scale_text(form);
   ParameterList list(asked);
-  list.effect({.effect = {.name = kStructure,
-                          .unit = kScaleUnits,
-                          .meaning = "mean dissimilarity of the most distant pair minus that of "
-                                     "neighbours" +
-                                     on_scale + "; the items are equally spaced on one dimension"},
-               .tests = {"configuration", "properties"},
-               .sd_unit = kScaleUnits,
-               .sd_meaning = "SD over participants of the difference between any two pairs",
-               .usual_sd = 0.15 * range});
+  list.effect(
+      {.effect = {.name = kStructure,
+                  .unit = kScaleUnits,
+                  .meaning = phrase("Responses",
+                                    "mean dissimilarity of the most distant pair minus that of "
+                                    "neighbours, %1; the items are equally spaced on one dimension")
+                                 .with(on_scale)},
+       .tests = {"configuration", "properties"},
+       .sd_unit = kScaleUnits,
+       .sd_meaning =
+           phrase("Responses", "SD over participants of the difference between any two pairs"),
+       .usual_sd = 0.15 * range});
   if (asked.block.all_pairs && asked.block.all_pairs->with_identical) {
-    list.effect({.effect = {.name = kIdentical,
-                            .unit = kScaleUnits,
-                            .meaning = "mean dissimilarity of different minus that of identical "
-                                       "pairs" +
-                                       on_scale},
-                 .tests = {"identical"},
-                 .sd_unit = kScaleUnits,
-                 .sd_meaning = "SD over participants of this difference",
-                 .usual_sd = 0.1 * range});
+    list.effect(
+        {.effect = {.name = kIdentical,
+                    .unit = kScaleUnits,
+                    .meaning =
+                        phrase("Responses",
+                               "mean dissimilarity of different minus that of identical pairs, %1")
+                            .with(on_scale)},
+         .tests = {"identical"},
+         .sd_unit = kScaleUnits,
+         .sd_meaning = phrase("Responses", "SD over participants of this difference"),
+         .usual_sd = 0.1 * range});
   }
-  list.scale(range,
-             {.meaning = "mean dissimilarity of the pairs of different items, from 0 at the end of "
-                         "the scale for identical surfaces",
-              .value = 0.5 * range},
-             "SD over participants of this mean",
-             "SD of the ratings of one participant for one pair");
+  list.scale(
+      range,
+      {.meaning = phrase("Responses",
+                         "mean dissimilarity of the pairs of different items, from 0 at the end of "
+                         "the scale for identical surfaces"),
+       .value = 0.5 * range},
+      phrase("Responses", "SD over participants of this mean"),
+      phrase("Responses", "SD of the ratings of one participant for one pair"));
   return list.take();
 }
 

@@ -25,6 +25,7 @@
 #include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
 #include "tests/protocols/protocol_files.h"
+#include "tests/protocols/untranslated.h"
 
 namespace asperity {
 namespace {
@@ -163,12 +164,13 @@ TEST(ResponseTable, NeverAssumesAnEffectOfTheFamilyOrItsStandardDeviation) {
           SCOPED_TRACE(parameter.name);
           EXPECT_EQ(parameter.part == Part::other, parameter.value.has_value());
           EXPECT_FALSE(parameter.meaning.empty());
+          EXPECT_EQ(test::untranslated(parameter.meaning), "");
           // What a number is the difference of, with its direction, is not left to the order of a list.
           for (const char* const vague : {"last item", "first item", "last stimulus"}) {
-            EXPECT_THAT(parameter.meaning, Not(HasSubstr(vague)));
+            EXPECT_THAT(parameter.meaning.english(), Not(HasSubstr(vague)));
           }
           if (parameter.unit == kScaleUnits && parameter.part == Part::effect) {
-            EXPECT_THAT(parameter.meaning, HasSubstr("on the scale from "));
+            EXPECT_THAT(parameter.meaning.english(), HasSubstr("on the scale from "));
           }
           EXPECT_TRUE(!parameter.value || is_in_range(parameter.range, *parameter.value));
           if (parameter.part != Part::effect) continue;
@@ -200,7 +202,7 @@ std::string meaning_of(const std::string& protocol_name, const std::string& para
       if (table == nullptr) continue;
       for (const ResponseParameter& each :
            table->parameters(tabulated_question(protocol, block, question, possible))) {
-        if (each.name == parameter) return each.meaning;
+        if (each.name == parameter) return each.meaning.english();
       }
     }
   }

@@ -30,7 +30,8 @@ Table assumption_table(const std::vector<Assumption>& assumptions) {
   Table table{.columns = {"assumption", "value", "unit", "source", "meaning"}};
   for (const Assumption& one : assumptions) {
     table.rows.push_back({one.name, one.value ? Cell(*one.value) : Cell(std::monostate{}), one.unit,
-                          one.source + (is_from_pilot(one) ? " (pilot)" : ""), one.meaning});
+                          one.source + (is_from_pilot(one) ? " (pilot)" : ""),
+                          one.meaning.english()});
   }
   return table;
 }
@@ -56,7 +57,7 @@ void print_assumptions(const std::vector<Assumption>& assumptions) {
                                   (is_from_pilot(one) ? " (pilot)" : ""),
                               kTerminalColumns)
               << '\n'
-              << wrapped_text(one.meaning, kTerminalColumns, "    ") << '\n';
+              << wrapped_text(one.meaning.english(), kTerminalColumns, "    ") << '\n';
   }
 }
 

@@ -137,7 +137,7 @@ void AssumptionFields::show_assumptions(const std::vector<Assumption>& usual,
 void AssumptionFields::add_row(std::size_t index, QGridLayout& grid, int line) {
   const Assumption& assumption = usual_[index];
   const QString tip = QString("<p>%1.</p><p>%2</p>")
-                          .arg(text(assumption.meaning).toHtmlEscaped(), text(assumption.name));
+                          .arg(words_of(assumption.meaning).toHtmlEscaped(), text(assumption.name));
   auto* field = new QLineEdit(rows_);
   QLabel* caption = make_text(parts_of_name(assumption.name).parameter, rows_);
   QLabel* unit = make_text(unit_text(assumption), rows_, true);
@@ -145,7 +145,7 @@ void AssumptionFields::add_row(std::size_t index, QGridLayout& grid, int line) {
   for (QLabel* label : {caption, unit, source}) label->setFont(text_font(TextSize::small));
   field->setObjectName(text(assumption.name));
   field->setAccessibleName(assumption_caption(assumption.name));
-  field->setAccessibleDescription(text(assumption.meaning));
+  field->setAccessibleDescription(words_of(assumption.meaning));
   field->setMinimumWidth(kLeastFieldWidth);
   field->setMaximumWidth(kAssumptionFieldWidth);
   field->setAlignment(Qt::AlignRight);

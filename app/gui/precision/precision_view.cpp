@@ -25,6 +25,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/precision/assumption_fields.h"
 #include "app/power/power_model.h"
+#include "app/words/phrased_error.h"
 
 namespace asperity {
 
@@ -194,7 +195,7 @@ void PrecisionView::read_design() {
         try {
           design.usual = assumptions_of(*protocol);
         } catch (const std::exception& error) {
-          design.refusal = text(error.what());
+          design.refusal = words_of(phrase_of(error));
         }
         return design;
       },

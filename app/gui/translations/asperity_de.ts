@@ -15767,6 +15767,285 @@
     </message>
 </context>
 <context>
+    <name>Responses</name>
+    <message>
+        <source>studies of the block %1 cannot be simulated from response tables: %2; add --physics to simulate them on the full physics, with the observers of the protocol</source>
+        <translation>Studien mit dem Block %1 können nicht aus Antworttabellen simuliert werden: %2; mit --physics werden sie mit der vollständigen Physik und den virtuellen Versuchspersonen des Protokolls simuliert</translation>
+    </message>
+    <message>
+        <source>an external program states its levels</source>
+        <translation>ein externes Programm gibt seine Stufen vor</translation>
+    </message>
+    <message>
+        <source>the question %1 depends on the additional question %2, whose responses are not simulated</source>
+        <translation>die Frage %1 hängt von der zusätzlichen Frage %2 ab, deren Antworten nicht simuliert werden</translation>
+    </message>
+    <message>
+        <source>the kind &quot;%1&quot; has no response table</source>
+        <translation>die Art „%1“ hat keine Antworttabelle</translation>
+    </message>
+    <message>
+        <source>response tables have no effect of the groups for the test %1</source>
+        <translation>für den Test %1 haben Antworttabellen keinen Effekt der Gruppen</translation>
+    </message>
+    <message>
+        <source>natural log-odds that the target %1 is chosen rather than any one other item</source>
+        <translation>natürliche Log-Odds, dass das Ziel %1 statt irgendeines anderen Items gewählt wird</translation>
+    </message>
+    <message>
+        <source>SD over participants of the log-odds between any two items</source>
+        <translation>SD der Log-Odds zwischen zwei beliebigen Items über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>natural log-odds of the target in the group %1 minus those in %2</source>
+        <translation>natürliche Log-Odds des Ziels in der Gruppe %1 minus die in %2</translation>
+    </message>
+    <message>
+        <source>natural log-odds of a choice of %1 rather than %2</source>
+        <translation>natürliche Log-Odds einer Wahl von %1 statt %2</translation>
+    </message>
+    <message>
+        <source>%1; the items between them are equally spaced, in the order %2</source>
+        <translation>%1; die Items dazwischen haben gleiche Abstände, in der Reihenfolge %2</translation>
+    </message>
+    <message>
+        <source>natural log-odds in favour of the surface that is presented first, between surfaces that are otherwise equally preferred</source>
+        <translation>natürliche Log-Odds zugunsten der zuerst dargebotenen Oberfläche, zwischen sonst gleich bevorzugten Oberflächen</translation>
+    </message>
+    <message>
+        <source>SD over participants of the log-odds in favour of the first surface</source>
+        <translation>SD der Log-Odds zugunsten der ersten Oberfläche über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>difference of the utilities below which the response is a tie</source>
+        <translation>Differenz der Nutzenwerte, unterhalb derer die Antwort unentschieden ist</translation>
+    </message>
+    <message>
+        <source>difference from the standard with d′ = 1 of the median participant</source>
+        <translation>Unterschied zum Standard, bei dem d′ der medianen Versuchsperson 1 ist</translation>
+    </message>
+    <message>
+        <source>SD over participants of the natural logarithm of the threshold</source>
+        <translation>SD des natürlichen Logarithmus der Schwelle über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>exponent with which d′ grows with the difference</source>
+        <translation>Exponent, mit dem d′ mit dem Unterschied wächst</translation>
+    </message>
+    <message>
+        <source>threshold at %1 divided by that at %2</source>
+        <translation>Schwelle bei %1 geteilt durch die bei %2</translation>
+    </message>
+    <message>
+        <source>SD over participants of the natural logarithm of this ratio</source>
+        <translation>SD des natürlichen Logarithmus dieses Verhältnisses über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>point of subjective equality minus the standard</source>
+        <translation>Punkt der subjektiven Gleichheit minus Standard</translation>
+    </message>
+    <message>
+        <source>SD over participants of this difference</source>
+        <translation>SD dieser Differenz über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>advantage of the first surface: what is added to its impression before the choice</source>
+        <translation>Vorteil der ersten Oberfläche: was vor der Wahl zu ihrem Eindruck addiert wird</translation>
+    </message>
+    <message>
+        <source>SD over participants of this order effect</source>
+        <translation>SD dieses Reihenfolgeeffekts über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>impression above which the response is &quot;yes&quot;</source>
+        <translation>Eindruck, oberhalb dessen die Antwort „ja“ lautet</translation>
+    </message>
+    <message>
+        <source>difference of two impressions from which on the response is &quot;different&quot;</source>
+        <translation>Differenz zweier Eindrücke, ab der die Antwort „verschieden“ lautet</translation>
+    </message>
+    <message>
+        <source>SD over participants of the criterion</source>
+        <translation>SD des Kriteriums über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>difference of two impressions below which the response is &quot;cannot tell&quot;</source>
+        <translation>Differenz zweier Eindrücke, unterhalb derer die Antwort „kann es nicht sagen“ lautet</translation>
+    </message>
+    <message>
+        <source>length of the drawn line</source>
+        <translation>Länge der gezeichneten Linie</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>%3 of %1 divided by that of %2</source>
+        <translation>%3 bei %1 geteilt durch die bei %2</translation>
+    </message>
+    <message>
+        <source>%1; the stimuli between them are equally spaced, in the order %2</source>
+        <translation>%1; die Reize dazwischen haben gleiche Abstände, in der Reihenfolge %2</translation>
+    </message>
+    <message>
+        <source>SD over participants of the natural logarithm of the ratio of any two stimuli</source>
+        <translation>SD des natürlichen Logarithmus des Verhältnisses zweier beliebiger Reize über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>exponent of the power function of the %1 over the spacing; above 0, the first grows with the second</source>
+        <translation>Exponent der Potenzfunktion der %1 über dem Abstand; über 0 wächst die erste Größe mit der zweiten</translation>
+    </message>
+    <message>
+        <source>exponent of the power function of the %1 over the predictor; above 0, the first grows with the second</source>
+        <translation>Exponent der Potenzfunktion der %1 über dem Prädiktor; über 0 wächst die erste Größe mit der zweiten</translation>
+    </message>
+    <message>
+        <source>SD over participants of the exponent</source>
+        <translation>SD des Exponenten über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>decrease of the logarithm (base 10) of the %1 from the spacing of maximum roughness to 10 times this spacing, and to a tenth of it</source>
+        <translation>Abnahme des Logarithmus (Basis 10) der %1 vom Abstand größter Rauheit bis zum Zehnfachen dieses Abstands und bis zu einem Zehntel davon</translation>
+    </message>
+    <message>
+        <source>SD over participants of this decrease</source>
+        <translation>SD dieser Abnahme über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>spacing of maximum roughness of the median participant if the exponent is 0; otherwise it is multiplied by 10^(exponent / (2 · curvature))</source>
+        <translation>Abstand größter Rauheit der medianen Versuchsperson, wenn der Exponent 0 ist; sonst wird er mit 10^(Exponent / (2 · Krümmung)) multipliziert</translation>
+    </message>
+    <message>
+        <source>SD over participants of the natural logarithm of this spacing</source>
+        <translation>SD des natürlichen Logarithmus dieses Abstands über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>%1 in %2 divided by that in %3</source>
+        <translation>%1 in %2 geteilt durch die in %3</translation>
+    </message>
+    <message>
+        <source>exponent in %1 minus that in %2</source>
+        <translation>Exponent in %1 minus der in %2</translation>
+    </message>
+    <message>
+        <source>spacing of maximum roughness in %1 divided by that in %2, if the exponents in both are equal</source>
+        <translation>Abstand größter Rauheit in %1 geteilt durch den in %2, wenn die Exponenten in beiden gleich sind</translation>
+    </message>
+    <message>
+        <source>logarithm (base 10) of the mean line, relative to the longest</source>
+        <translation>Logarithmus (Basis 10) der mittleren Linie, bezogen auf die längste</translation>
+    </message>
+    <message>
+        <source>logarithm (base 10) of the mean estimate</source>
+        <translation>Logarithmus (Basis 10) der mittleren Schätzung</translation>
+    </message>
+    <message>
+        <source>SD over participants of this logarithm</source>
+        <translation>SD dieses Logarithmus über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>SD of the logarithm (base 10) of the estimates of one participant for one stimulus</source>
+        <translation>SD des Logarithmus (Basis 10) der Schätzungen einer Versuchsperson für einen Reiz</translation>
+    </message>
+    <message>
+        <source>the predictor %1 is measured on the surfaces as they are rendered</source>
+        <translation>der Prädiktor %1 wird an den Oberflächen gemessen, wie sie wiedergegeben werden</translation>
+    </message>
+    <message>
+        <source>d′ of the median participant: how far the picture of the texture felt stands out</source>
+        <translation>d′ der medianen Versuchsperson: wie weit sich das Bild der gefühlten Textur abhebt</translation>
+    </message>
+    <message>
+        <source>SD over participants of the natural logarithm of d′</source>
+        <translation>SD des natürlichen Logarithmus von d′ über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>d′ of the group %1 divided by that of %2</source>
+        <translation>d′ der Gruppe %1 geteilt durch das von %2</translation>
+    </message>
+    <message>
+        <source>SD over textures of the natural logarithm of d′</source>
+        <translation>SD des natürlichen Logarithmus von d′ über die Texturen</translation>
+    </message>
+    <message>
+        <source>SD over pictures of a participant&apos;s preference for a picture</source>
+        <translation>SD der Bevorzugung eines Bildes durch eine Versuchsperson über die Bilder</translation>
+    </message>
+    <message>
+        <source>mean rating of %1 minus that of %2, %3</source>
+        <translation>mittleres Urteil über %1 minus das über %2, %3</translation>
+    </message>
+    <message>
+        <source>SD over participants of the difference between any two items</source>
+        <translation>SD der Differenz zweier beliebiger Items über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>mean rating of trials with a correct response minus that of trials with an incorrect one, %1</source>
+        <translation>mittleres Urteil in Durchgängen mit richtiger Antwort minus das in Durchgängen mit falscher, %1</translation>
+    </message>
+    <message>
+        <source>mean rating of all items in the group %1 minus that in %2, %3</source>
+        <translation>mittleres Urteil über alle Items in der Gruppe %1 minus das in %2, %3</translation>
+    </message>
+    <message>
+        <source>mean rating of all items, %1</source>
+        <translation>mittleres Urteil über alle Items, %1</translation>
+    </message>
+    <message>
+        <source>SD over participants of the mean rating of all items</source>
+        <translation>SD des mittleren Urteils über alle Items über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>SD of the ratings of one participant for one item</source>
+        <translation>SD der Urteile einer Versuchsperson über ein Item</translation>
+    </message>
+    <message>
+        <source>on the scale from %1 to %2</source>
+        <translation>auf der Skala von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>on the scale from %1 (%2) to %3 (%4)</source>
+        <translation>auf der Skala von %1 (%2) bis %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>dem ersten Item</translation>
+    </message>
+    <message>
+        <source>the last</source>
+        <translation>dem letzten Item</translation>
+    </message>
+    <message>
+        <source>probability of a response that does not depend on the surfaces</source>
+        <translation>Wahrscheinlichkeit einer Antwort, die nicht von den Oberflächen abhängt</translation>
+    </message>
+    <message>
+        <source>mean dissimilarity of the most distant pair minus that of neighbours, %1; the items are equally spaced on one dimension</source>
+        <translation>mittlere Unähnlichkeit des entferntesten Paars minus die benachbarter Items, %1; die Items haben gleiche Abstände auf einer Dimension</translation>
+    </message>
+    <message>
+        <source>SD over participants of the difference between any two pairs</source>
+        <translation>SD der Differenz zweier beliebiger Paare über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>mean dissimilarity of different minus that of identical pairs, %1</source>
+        <translation>mittlere Unähnlichkeit verschiedener minus die identischer Paare, %1</translation>
+    </message>
+    <message>
+        <source>mean dissimilarity of the pairs of different items, from 0 at the end of the scale for identical surfaces</source>
+        <translation>mittlere Unähnlichkeit der Paare verschiedener Items, ab 0 am Ende der Skala für identische Oberflächen</translation>
+    </message>
+    <message>
+        <source>SD over participants of this mean</source>
+        <translation>SD dieses Mittelwerts über die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>SD of the ratings of one participant for one pair</source>
+        <translation>SD der Urteile einer Versuchsperson über ein Paar</translation>
+    </message>
+</context>
+<context>
     <name>RunSession</name>
     <message>
         <source>the session last ran on %1 and is resumed on %2; this is stored with the session and stated in its report</source>

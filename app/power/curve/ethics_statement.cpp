@@ -104,9 +104,9 @@ std::string effect_text(const PlannedEffect& planned) {
            "them on the full physics";
   }
   const Assumption& effect = *planned.effect;
-  return effect.name + " = " + with_unit(*effect.value, effect.unit) + " (" + effect.meaning +
-         "; without an effect " + with_unit(effect.null_value, effect.unit) +
-         "; source: " + source_text(effect) + ')';
+  return effect.name + " = " + with_unit(*effect.value, effect.unit) + " (" +
+         effect.meaning.english() + "; without an effect " +
+         with_unit(effect.null_value, effect.unit) + "; source: " + source_text(effect) + ')';
 }
 
 std::string correction_text(const PlannedStudy& study, const PowerCurve& curve) {
@@ -213,8 +213,8 @@ std::string deviations_text(const PlannedStudy& study) {
   for (const Assumption& one : study.assumptions) {
     if (one.part == Assumption::Part::other) ++others;
     if (one.part != Assumption::Part::effect_sd || !one.value) continue;
-    const std::string text = " = " + with_unit(*one.value, one.unit) + " (" + one.meaning +
-                             "; source: " + source_text(one) + ')';
+    const std::string text = " = " + with_unit(*one.value, one.unit) + " (" +
+                             one.meaning.english() + "; source: " + source_text(one) + ')';
     auto same = std::find_if(names_by_text.begin(), names_by_text.end(),
                              [&text](const auto& each) { return each.first == text; });
     if (same == names_by_text.end()) same = names_by_text.insert(same, {text, {}});
