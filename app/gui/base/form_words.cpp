@@ -70,7 +70,8 @@ std::string number_in_form(const std::optional<NumberShape>& shape, const std::s
   if (!shape) return windows(nullptr, in_file.c_str());
   const std::string shown = displayed_number(*shape, in_file).value_or(in_file);
   const std::string unit = shown_unit(*shape).toStdString();
-  return windows(nullptr, shown.c_str()) + (unit.empty() ? "" : ' ' + unit);
+  constexpr const char* kNoBreakSpace = "\u00a0";
+  return windows(nullptr, shown.c_str()) + (unit.empty() ? "" : kNoBreakSpace + unit);
 }
 
 /// Only English sentences have the words of the file; translations have those of the form.

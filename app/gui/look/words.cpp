@@ -25,11 +25,14 @@ struct DriverWords {
   Q_DECLARE_TR_FUNCTIONS(DriverWords)
 };
 
-/// "10.0" → "10,0"; what is not a number with a point stays.
+/// "-10.0" → "−10,0"; what is not a number stays.
 std::string with_point_of_locale(const QLocale& locale, const char* words) {
-  static const QRegularExpression kNumber("^[-−]?[0-9]+\\.[0-9]+$");
+  static const QRegularExpression kNumber("^[-−]?[0-9]+(\\.[0-9]+)?$");
   QString text = QString::fromUtf8(words);
-  if (kNumber.match(text).hasMatch()) text.replace('.', locale.decimalPoint());
+  if (kNumber.match(text).hasMatch()) {
+    text.replace('.', locale.decimalPoint());
+    if (text.startsWith('-')) text.replace(0, 1, "−");
+  }
   return text.toStdString();
 }
 

@@ -44,17 +44,17 @@ class WordsOfForm : public testing::Test {
 TEST_F(WordsOfForm, ShowNumbersInTheUnitOfTheForm) {
   const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": -2.5");
   EXPECT_EQ(problem_at(text, "/surface/edge_width_m"),
-            "-2500 mm is too small: it must be at least 0 mm")
+            "−2500\u00a0mm is too small: it must be at least 0\u00a0mm")
       << "the form shows the meaning elsewhere";
   apply_language("de");
   EXPECT_EQ(problem_at(text, "/surface/edge_width_m"),
-            "-2500 mm ist zu klein: Der Wert muss mindestens 0 mm sein");
+            "−2500\u00a0mm ist zu klein: Der Wert muss mindestens 0\u00a0mm sein");
 }
 
 TEST_F(WordsOfForm, StateThePermittedNumbersForAText) {
   EXPECT_THAT(problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"wide\""),
                          "/surface/edge_width_m"),
-              testing::StartsWith("\"wide\" is not permitted here: write a number from 0 mm to "));
+              testing::StartsWith("\"wide\" is not permitted here: write a number from 0\u00a0mm to "));
   EXPECT_EQ(problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"0.005\""),
                        "/surface/edge_width_m"),
             "\"0.005\" is not permitted here: write a number, without quotation marks");
@@ -64,13 +64,13 @@ TEST_F(WordsOfForm, ShowANumberThatIsOneOfSeveralFormsWithItsUnit) {
   nlohmann::json file = nlohmann::json::parse(library_text("amplitude_jnd"));
   file["blocks"]["main"]["arrangement"]["interval_s"] = -1;
   EXPECT_THAT(problem_at(file.dump(1), "/blocks/main/arrangement/interval_s"),
-              testing::StartsWith("-1 s is too small: it must be at least 0 s"));
+              testing::StartsWith("−1\u00a0s is too small: it must be at least 0\u00a0s"));
 }
 
 TEST_F(WordsOfForm, LeaveOutTheUnitsOfTheFile) {
   const std::string text = jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": 5");
   const std::string sentence = problem_at(text, "/surface/edge_width_m");
-  EXPECT_THAT(sentence, HasSubstr("5000 mm is too large"));
+  EXPECT_THAT(sentence, HasSubstr("5000\u00a0mm is too large"));
   EXPECT_THAT(sentence, testing::Not(HasSubstr("metres")));
 }
 
