@@ -29,7 +29,7 @@
 #include "app/tasks/run_session.h"
 #include "app/tasks/session_language.h"
 #include "app/tasks/warnings/plugin_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

@@ -20,7 +20,7 @@
 #include "app/tasks/checked_rendering_use.h"
 #include "app/tasks/stimulus_files.h"
 #include "app/tasks/study_overview.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/diagnostic.h"
 #include "results_schema/files/atomic_file.h"

@@ -14,7 +14,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/words/phrase.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/servo/servo_thread.h"
 #include "renderers/servo/servo_time.h"
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/haptic_device.h"
 #include "renderers/servo/servo_loop.h"
 

@@ -11,7 +11,7 @@
 #include "analysis/words/phrase.h"
 #include "app/device_bench/device_test.h"
 #include "app/profiles/device_profile.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/haptic_device.h"
 #include "device/virtual_hand.h"
 #include "results_schema/study.h"

@@ -10,7 +10,7 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/rig/recorder.h"
 #include "app/session/rig/rig.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

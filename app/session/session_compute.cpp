@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/words/phrase.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/error_text.h"
 

@@ -12,7 +12,7 @@
 #include "analysis/words/phrase.h"
 #include "app/session/trial_outcome.h"
 #include "app/study_files/dealt_places.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/hashes/sha256.h"

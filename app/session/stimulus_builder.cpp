@@ -11,7 +11,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/words/phrase.h"
 #include "app/study_files/parameter_json.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"

@@ -9,7 +9,7 @@
 
 #include "app/study_files/program.h"
 #include "app/study_files/study_condition.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/tables/table.h"
 

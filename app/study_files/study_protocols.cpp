@@ -10,7 +10,7 @@
 
 #include "analysis/words/phrase.h"
 #include "app/study_files/protocol_languages.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"

@@ -16,7 +16,7 @@
 #include "app/tasks/warnings/checked_protocol.h"
 #include "app/tasks/warnings/level_problems.h"
 #include "app/tasks/warnings/named_files.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/design/wording.h"

@@ -12,7 +12,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/parameter_json.h"
 #include "app/tasks/template_overviews.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/editing/edits.h"

@@ -19,7 +19,7 @@
 #include "app/tasks/rendering_use.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/template_overviews.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/json_document.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/words/phrase.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/study.h"
 
 namespace asperity {

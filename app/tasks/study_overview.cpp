@@ -28,7 +28,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/tasks/warnings/session_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/simulated_device.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/protocol_reader.h"

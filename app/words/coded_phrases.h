@@ -9,8 +9,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "analysis/words/phrase.h"
+#include "app/words/phrase_of_error.h"
 #include "app/words/phrase_registry.h"
-#include "app/words/phrased_error.h"
 #include "results_schema/rows.h"
 
 namespace asperity {

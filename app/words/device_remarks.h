@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/words/phrase.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/device_trait.h"
 
 namespace asperity {

@@ -20,7 +20,7 @@
 #include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/event_kinds.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
 #include "tests/app/scripted_session.h"

@@ -19,7 +19,7 @@
 #include "app/tasks/protocol_templates.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/warnings/slew_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"

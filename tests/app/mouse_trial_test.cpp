@@ -10,7 +10,7 @@
 
 #include "app/tasks/group_choice.h"
 #include "app/tasks/protocol_files.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"

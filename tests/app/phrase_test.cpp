@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "app/words/time_ago.h"
 
 namespace asperity {

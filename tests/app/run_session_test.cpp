@@ -14,7 +14,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_run.h"
 #include "app/tasks/verify/verify_study.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"

@@ -17,7 +17,7 @@
 #include "app/tasks/run_session.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/warnings/session_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

@@ -15,7 +15,7 @@
 #include "app/study_files/program.h"
 #include "app/study_files/rendering_files.h"
 #include "app/tasks/check_protocol.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"

@@ -7,7 +7,7 @@
 
 #include "app/session/session_setup.h"
 #include "app/study_files/program.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"

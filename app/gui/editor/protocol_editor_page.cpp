@@ -28,7 +28,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/warnings/session_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/files/atomic_file.h"
 

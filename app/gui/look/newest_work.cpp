@@ -8,7 +8,7 @@
 #include <QtCore/QMetaObject>
 
 #include "app/gui/look/words.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

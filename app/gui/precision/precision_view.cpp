@@ -25,7 +25,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/precision/assumption_fields.h"
 #include "app/power/power_model.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

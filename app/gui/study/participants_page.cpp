@@ -15,7 +15,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/study/withdraw_dialog.h"
 #include "app/records/participant_answers.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

@@ -23,7 +23,7 @@
 #include "app/gui/study/template_dialog.h"
 #include "app/study_files/protocol_languages.h"
 #include "app/tasks/protocol_templates.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {

@@ -39,7 +39,7 @@
 #include "app/gui/window/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {

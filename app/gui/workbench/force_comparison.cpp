@@ -20,7 +20,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/surface_card.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

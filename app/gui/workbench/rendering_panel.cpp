@@ -13,7 +13,7 @@
 #include "app/gui/look/words.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/stimulus_names.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {

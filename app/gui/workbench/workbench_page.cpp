@@ -31,7 +31,7 @@
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "app/tasks/rendering_use.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "results_schema/files/folder_entries.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/words/phrase.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

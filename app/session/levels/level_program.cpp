@@ -11,7 +11,7 @@
 #include "analysis/numbers/overloaded.h"
 #include "analysis/words/phrase.h"
 #include "app/session/levels/level_messages.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "app/words/shown_text.h"
 #include "results_schema/files/log_file.h"
 #include "results_schema/study.h"

@@ -12,7 +12,7 @@
 #include "app/processes/child_process.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/levels/supplied_steps.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/plan/level_tracks.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include "analysis/words/phrase.h"
 #include "app/profiles/device_profile.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {

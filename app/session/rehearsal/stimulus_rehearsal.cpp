@@ -10,7 +10,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/json_pointer.h"
 #include "renderers/offline/contact_loss.h"
 #include "renderers/offline/felt_stiffness.h"

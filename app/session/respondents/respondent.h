@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "analysis/signals/force_features.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/protocol.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/rows.h"

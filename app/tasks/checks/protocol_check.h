@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/tasks/checks/session_check.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "app/words/shell_word.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"

@@ -25,7 +25,7 @@
 #include "app/tasks/warnings/plugin_warnings.h"
 #include "app/tasks/warnings/session_warnings.h"
 #include "app/tasks/warnings/stimulus_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/simulated_models.h"
 #include "protocols/plan/groups.h"
 

@@ -12,7 +12,7 @@
 
 #include "app/session/conductor.h"
 #include "app/shards/shard.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 

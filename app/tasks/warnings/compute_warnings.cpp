@@ -3,7 +3,7 @@
 #include "app/tasks/warnings/compute_warnings.h"
 
 #include "app/session/session_compute.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/file/json_document.h"
 
 namespace asperity {

@@ -13,7 +13,7 @@
 
 #include "app/tasks/demo_stimuli.h"
 #include "app/tasks/warnings/rehearsed_stimuli.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/protocol_reader.h"
 #include "results_schema/files/atomic_file.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "renderers/offline/along_path.h"
 
 namespace asperity {

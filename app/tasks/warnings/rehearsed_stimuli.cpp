@@ -20,7 +20,7 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/simulated_device.h"
 #include "protocols/design/wording.h"
 #include "protocols/plan/course.h"

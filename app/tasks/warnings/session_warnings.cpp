@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tasks/warnings/plugin_warnings.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"

@@ -28,7 +28,7 @@
 #include "app/gui/study/devices_page.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 #include "device/vendor_library.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"

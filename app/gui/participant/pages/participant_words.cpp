@@ -3,7 +3,7 @@
 #include "app/gui/participant/pages/participant_words.h"
 
 #include "app/gui/look/words.h"
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 namespace asperity {
 

@@ -1,6 +1,6 @@
 // Implements the phrase of an error.
 
-#include "app/words/phrased_error.h"
+#include "app/words/phrase_of_error.h"
 
 #include "results_schema/error_text.h"
 
