@@ -176,8 +176,10 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
 
 std::string text_from_template(const TemplateChoice& choice) {
   std::string text = text_in_language(library_protocol(choice.name), choice.language);
-  // The new protocol has an author of its own.
-  text = without(JsonDocument(text, choice.name), std::array<std::string, 1>{"/authors"}).text;
+  // Its authors and its licence are not those of the library.
+  text =
+      without(JsonDocument(text, choice.name), std::array<std::string, 2>{"/authors", "/license"})
+          .text;
   if (!choice.title.empty()) {
     const std::string title = json_string(choice.title);
     text = with_value(JsonDocument(text, choice.name), "/title", title).text;
