@@ -34,12 +34,46 @@ struct AssumptionParts {
   QString parameter{};  ///< "order, SD"
 };
 
+/// Of a part of the name of a parameter; the name of a factor stays.
+QString shown_part(const QString& part) {
+  const std::map<QString, QString> names{
+      {"bias", AssumptionFields::tr("bias")},
+      {"condition", AssumptionFields::tr("condition")},
+      {"correct", AssumptionFields::tr("correct")},
+      {"criterion", AssumptionFields::tr("criterion")},
+      {"curvature", AssumptionFields::tr("curvature")},
+      {"difference", AssumptionFields::tr("difference")},
+      {"exponent", AssumptionFields::tr("exponent")},
+      {"identical", AssumptionFields::tr("identical")},
+      {"lapse", AssumptionFields::tr("lapse")},
+      {"level", AssumptionFields::tr("level")},
+      {"noise", AssumptionFields::tr("noise")},
+      {"order", AssumptionFields::tr("order")},
+      {"peak", AssumptionFields::tr("peak")},
+      {"peak_ratio", AssumptionFields::tr("peak ratio")},
+      {"ratio", AssumptionFields::tr("ratio")},
+      {"sensitivity", AssumptionFields::tr("sensitivity")},
+      {"shift", AssumptionFields::tr("shift")},
+      {"slope", AssumptionFields::tr("slope")},
+      {"structure", AssumptionFields::tr("structure")},
+      {"target", AssumptionFields::tr("target")},
+      {"texture", AssumptionFields::tr("texture")},
+      {"threshold", AssumptionFields::tr("threshold")},
+      {"tie_within", AssumptionFields::tr("tie within")},
+      {"unsure_within", AssumptionFields::tr("unsure within")},
+  };
+  const auto found = names.find(part);
+  return found == names.end() ? QString(part).replace('_', ' ') : found->second;
+}
+
 AssumptionParts parts_of_name(const std::string& name) {
-  AssumptionParts parts{.question = text(name).section('.', 0, 1).replace('.', ", "),
-                        .parameter = text(name).section('.', 2)};
-  const bool is_deviation = parts.parameter.endsWith("_sd");
-  if (is_deviation) parts.parameter.chop(3);
-  parts.parameter.replace('_', ' ').replace('.', ' ');
+  AssumptionParts parts{.question = text(name).section('.', 0, 1).replace('.', ", ")};
+  QString parameter = text(name).section('.', 2);
+  const bool is_deviation = parameter.endsWith("_sd");
+  if (is_deviation) parameter.chop(3);
+  QStringList words{};
+  for (const QString& part : parameter.split('.')) words.append(shown_part(part));
+  parts.parameter = words.join(' ');
   if (is_deviation) parts.parameter = AssumptionFields::tr("%1, SD").arg(parts.parameter);
   return parts;
 }
@@ -90,7 +124,14 @@ NumberShape shape_of(const Assumption& usual) {
 QString unit_text(const Assumption& usual) {
   const std::string_view shown = shape_of(usual).display.unit;
   if (!shown.empty()) return text(std::string(shown));
-  return usual.unit == "1" ? QString() : text(usual.unit);
+  const std::map<std::string_view, QString> words{
+      {"1", QString()},
+      {"log-odds", AssumptionFields::tr("log-odds")},
+      {"ratio", AssumptionFields::tr("ratio")},
+      {"scale units", AssumptionFields::tr("scale units")},
+  };
+  const auto found = words.find(usual.unit);
+  return found == words.end() ? text(usual.unit) : found->second;
 }
 
 QString rounded_in_unit(double value, const NumberShape& shape) {

@@ -263,7 +263,11 @@ QString PrecisionView::blocker() const {
     missing.append(assumption_caption(name));
   }
   if (missing.isEmpty()) return {};
-  return tr("State these values to see the precision: %1").arg(missing.join("; "));
+  constexpr qsizetype kNamed = 3;
+  const auto others = static_cast<int>(missing.size() - kNamed);
+  const QString named = tr("State these values to see the precision: %1")
+                            .arg(missing.first(std::min(kNamed, missing.size())).join("; "));
+  return others > 0 ? tr("%1; and %n other(s)", nullptr, others).arg(named) : named;
 }
 
 void PrecisionView::proceed() {

@@ -87,6 +87,16 @@
     </message>
 </context>
 <context>
+    <name>asperity::PrecisionView</name>
+    <message numerus="yes">
+        <source>%1; and %n other(s)</source>
+        <translation>
+            <numerusform>%1; and %n other</numerusform>
+            <numerusform>%1; and %n others</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProtocolFileActions</name>
     <message numerus="yes">
         <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>

@@ -85,6 +85,19 @@ class PrecisionOfAProtocol : public QuietHome {
   PrecisionView view_{study_};
 };
 
+TEST_F(PrecisionOfAProtocol, NamesThreeOfManyMissingValuesInTheLanguageOfTheWindows) {
+  apply_language("de");
+  show("semantic_differential");
+  ASSERT_TRUE(eventually([this] { return state().contains("diese Werte angeben"); }))
+      << state().toStdString();
+  EXPECT_TRUE(state().contains(": Differenz; ")) << state().toStdString();
+  EXPECT_TRUE(state().endsWith("; und 13 weitere")) << state().toStdString();
+  EXPECT_EQ(assumption_caption("main.felt.condition.peak_ratio_sd"),
+            "main, felt: Bedingung Verhältnis der Maxima, SD");
+  EXPECT_EQ(assumption_caption("main.felt.ground.ratio"), "main, felt: ground Verhältnis");
+  apply_language("en");
+}
+
 TEST_F(PrecisionOfAProtocol, NamesTheValuesThatAreMissing) {
   show("amplitude_jnd");
   ASSERT_TRUE(eventually([this] { return state().contains("State these values"); }))
