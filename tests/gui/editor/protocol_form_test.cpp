@@ -637,11 +637,11 @@ TEST_F(FormOfProtocol, StatesThePermittedNumbersInTheUnitOfTheForm) {
   EXPECT_EQ(problem_after("/material/friction"),
             "✕ \"abc\" is not permitted here: write a number from 0 to 2");
   EXPECT_EQ(problem_after("/stimuli/grating/parameters/amplitude_m"),
-            "✕ amplitude_m is \"abc\"; it must be a number from 0 µm to 5000 µm.");
+            "✕ amplitude_m is \"abc\"; it must be a number from 0\u00a0µm to 5000\u00a0µm.");
   EXPECT_EQ(problem_after("/resume/practice_trials"),
             "✕ \"abc\" is not permitted here: write a whole number from 1 to 100");
   EXPECT_EQ(problem_after("/explorations/stroking/stroke_length_m/target"),
-            "✕ \"abc\" is not permitted here: write a number (at least 0 mm)");
+            "✕ \"abc\" is not permitted here: write a number (at least 0\u00a0mm)");
 }
 
 TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {
