@@ -133,10 +133,10 @@ TEST(ProtocolOverviews, ShowWhatCanBeReadOfAProtocolWithProblems) {
   const auto overviews = protocol_overviews(study, built_in_models(), {});
   ASSERT_EQ(overviews.size(), 1U);
   EXPECT_FALSE(overviews[0].is_valid());
-  EXPECT_EQ(overviews[0].name(), protocol.at("name"));
+  EXPECT_EQ(overviews[0].name(), protocol.at("name").get<std::string>());
   EXPECT_EQ(overviews[0].read().title, "Small");
-  EXPECT_EQ(overviews[0].read().kind, protocol.at("kind"));
-  EXPECT_EQ(overviews[0].read().version, protocol.at("version"));
+  EXPECT_EQ(overviews[0].read().kind, protocol.at("kind").get<std::string>());
+  EXPECT_EQ(overviews[0].read().version, protocol.at("version").get<std::string>());
 }
 
 TEST(ProtocolOverviews, NameAFileThatCannotBeReadByItself) {
