@@ -109,8 +109,7 @@ Phrase with_declared_names(const Phrase& problem, const std::string& name,
                            const std::vector<std::string>& declared) {
   if (const auto nearest = nearest_name(name, declared)) return guessed(problem, *nearest);
   if (declared.empty()) {
-    return phrase("Protocols", "%1; declare it, or remove the name")
-        .with(problem);
+    return phrase("Protocols", "%1; declare it, or remove the name").with(problem);
   }
   return phrase("Protocols", "%1; use %2").with(problem, joined_by_or(quoted(declared)));
 }

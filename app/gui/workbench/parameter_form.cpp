@@ -18,11 +18,11 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/gui/base/parameter_unit.h"
+#include "app/gui/base/parameter_words.h"
 #include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
-#include "app/gui/base/parameter_words.h"
 
 namespace asperity {
 

@@ -13,10 +13,10 @@
 
 #include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
+#include "app/gui/base/parameter_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
-#include "app/gui/base/parameter_words.h"
 #include "app/gui/workbench/relief_picture.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/study_files/height_field_files.h"

@@ -155,8 +155,7 @@ void check_applicability(CheckedDocument& checked) {
 void check_head(CheckedDocument& checked) {
   for (const ExperimentKind* const kind : checked.kinds) {
     for (const RequiredKey& key : kind->required) {
-      if (!checked.document.root().contains(key.name))
-        checked.report("/kind", key.if_missing);
+      if (!checked.document.root().contains(key.name)) checked.report("/kind", key.if_missing);
     }
   }
   const auto& patch = checked.protocol.patch;

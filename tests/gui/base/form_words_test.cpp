@@ -52,9 +52,10 @@ TEST_F(WordsOfForm, ShowNumbersInTheUnitOfTheForm) {
 }
 
 TEST_F(WordsOfForm, StateThePermittedNumbersForAText) {
-  EXPECT_THAT(problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"wide\""),
-                         "/surface/edge_width_m"),
-              testing::StartsWith("\"wide\" is not permitted here: write a number from 0\u00a0mm to "));
+  EXPECT_THAT(
+      problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"wide\""),
+                 "/surface/edge_width_m"),
+      testing::StartsWith("\"wide\" is not permitted here: write a number from 0\u00a0mm to "));
   EXPECT_EQ(problem_at(jnd_with("\"edge_width_m\": 0.005", "\"edge_width_m\": \"0.005\""),
                        "/surface/edge_width_m"),
             "\"0.005\" is not permitted here: write a number, without quotation marks");

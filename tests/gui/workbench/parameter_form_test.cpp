@@ -13,8 +13,8 @@
 #include <QtWidgets/QSlider>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/settings.h"
 #include "app/gui/base/parameter_words.h"
+#include "app/gui/base/settings.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "stimuli/heights/synthetic_surface.h"
