@@ -127,14 +127,17 @@ std::vector<std::string> entries_naming(const JsonDocument& protocol, const Prot
     const NameUse* const declared = declaration_at(names, pointer, is_key);
     if (declared == nullptr) continue;
     for (const NameUse& use : names.uses) {
+      if (use.name != declared->name || use.is_key || use.is_in_formula || use.pointer == pointer) {
+        continue;
+      }
       // A level that is a texture leaves with the texture, and the texture stays where a level leaves.
-      const bool is_same =
-          use.registry == declared->registry ||
-          std::ranges::find(names.links, std::pair(use.registry, declared->registry)) !=
-              names.links.end();
-      const bool is_entry = !use.is_key && !use.is_in_formula && use.pointer != pointer &&
-                            value_at(protocol, parent_of(use.pointer)).is_array();
-      if (is_same && is_entry && use.name == declared->name) entries.push_back(use.pointer);
+      const bool is_same = use.registry == declared->registry ||
+                           std::ranges::any_of(names.links, [&](const auto& link) {
+                             return link.first == use.registry && link.second == declared->registry;
+                           });
+      if (is_same && value_at(protocol, parent_of(use.pointer)).is_array()) {
+        entries.push_back(use.pointer);
+      }
     }
   }
   return entries;
@@ -159,7 +162,7 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
         object == nullptr || key.empty() ? nullptr : object->table->find(key);
     if (kind != nullptr) {
       value[std::string(key)] = new_value(kind->shape, names);
-    } else if (auto entry = new_entry(protocol, container, *list, count)) {
+    } else if (auto entry = new_entry(protocol, names, container, *list, count)) {
       value = std::move(*entry);
     } else if (count > 0) {
       return with_copy(protocol, pointer_to(container, count - 1));
@@ -189,7 +192,8 @@ FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer) {
   if (!entries.is_object()) {
     const auto* const list = shape ? std::get_if<ListShape>(&*shape) : nullptr;
     const auto own =
-        list == nullptr ? std::nullopt : new_entry(protocol, container, *list, index + 1);
+        list == nullptr ? std::nullopt
+                        : new_entry(protocol, names_of_form(protocol), container, *list, index + 1);
     const std::string after =
         changed(protocol.text(), own ? insert_entry(protocol, container, index + 1, own->dump())
                                      : duplicate_entry(protocol, pointer));

@@ -101,10 +101,9 @@ std::string unused_level(const ProtocolNames& names, const std::string& factor,
 }  // namespace
 
 std::optional<nlohmann::ordered_json> new_entry(const JsonDocument& protocol,
-                                                const std::string& list, const ListShape& shape,
-                                                std::size_t index) {
+                                                const ProtocolNames& names, const std::string& list,
+                                                const ListShape& shape, std::size_t index) {
   const json& present = value_at(protocol, list);
-  const ProtocolNames names = names_of_form(protocol);
   const std::vector<std::string> choices = choices_of(*shape.entry, names);
   for (const std::string& choice : choices) {
     if (!has_entry(present, choice)) return choice;

@@ -49,10 +49,7 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
                     .unit = "log-odds",
                     .meaning = text_of(
                         {.of_ends = phrase("Responses",
-                                           "natural log-odds of a choice of %1 rather than %2"),
-                         .in_order = phrase(
-                             "Responses",
-                             "%1; the items between them are equally spaced, in the order %2")},
+                                           "natural log-odds of a choice of %1 rather than %2")},
                         asked.items)},
          .tests = {"pairs", "preference"},
          .sd_unit = "log-odds",

@@ -120,9 +120,6 @@ std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& ask
                     .unit = kScaleUnits,
                     .meaning = text_of(
                         {.of_ends = phrase("Responses", "mean rating of %1 minus that of %2, %3"),
-                         .in_order = phrase(
-                             "Responses",
-                             "%1; the items between them are equally spaced, in the order %2"),
                          .details = on_scale},
                         rated_names(asked))},
          .tests = {"ratings", "rated_pairs", "rating_model"},

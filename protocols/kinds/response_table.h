@@ -136,8 +136,10 @@ Phrase scale_text(const ScaleForm& form);
 /// The meaning of an effect between the last and the first of several names, with what it assumes of the others: `mean rating of
 /// "wood" minus that of "brick"; the items between them are equally spaced, in the order "brick", "metal", "wood"`.
 struct EndComparison {
-  Phrase of_ends{};   ///< of the last name (%1) and the first (%2), and of the details (%3)
-  Phrase in_order{};  ///< of the comparison (%1) and the order (%2)
+  Phrase of_ends{};  ///< of the last name (%1) and the first (%2), and of the details (%3)
+  /// Of the comparison (%1) and the order (%2).
+  Phrase in_order =
+      phrase("Responses", "%1; the items between them are equally spaced, in the order %2");
   Phrase details{};
 };
 Phrase text_of(const EndComparison& comparison, const std::vector<std::string>& names);

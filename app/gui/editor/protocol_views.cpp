@@ -91,8 +91,8 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
   add_finding(Qt::SHIFT | Qt::Key_F3, FindBar::Direction::backwards);
 }
 
-// A field with the focus, which is deleted after the members, changes the focus.
-/// A name that is typed is no edit when the form is hidden for the last time.
+// A field with the focus, which is deleted after the members, changes the focus. The form is deleted before, while its context
+// exists: a name that is typed in it is no edit when it loses the focus.
 ProtocolViews::~ProtocolViews() {
   disconnect(qApp, nullptr, this, nullptr);
   delete form_;

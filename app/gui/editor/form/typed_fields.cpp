@@ -329,7 +329,7 @@ void DeclaredNameField::take() {
       },
       {});
   if (!still_there) return;
-  refused_in_ = context().source;
+  refused_in_ = refusal.isEmpty() ? nullptr : context().source;
   refresh();  // a name that is refused is not in the text
   show_problem(*refusal_, refusal);
 }

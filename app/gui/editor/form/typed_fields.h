@@ -109,8 +109,8 @@ class DeclaredNameField final : public FormPart {
   FieldOf of_{};
   QLineEdit* line_ = nullptr;
   QLabel* refusal_ = nullptr;  ///< why the name that was typed last cannot be written
-  std::shared_ptr<const FormSource> refused_in_{};
-  bool is_typed_ = false;      ///< and not written yet
+  std::shared_ptr<const FormSource> refused_in_{};  ///< null: the last one was written
+  bool is_typed_ = false;                           ///< and not written yet
 };
 
 }  // namespace asperity
