@@ -97,6 +97,7 @@ Phrase quoted_value(const json& value) {
 }
 
 Phrase with_meaning(const Phrase& problem, std::string_view meaning) {
+  // kMeaningsOfKeys, as the literal from which the words are extracted.
   return meaning.empty() ? problem
                          : phrase("MeaningsOfKeys", "%1. Expected here: %2")
                                .with(problem, phrase_of_key(meaning));
@@ -195,9 +196,11 @@ Phrase wrong_number(const json& value, const NumberShape& shape, std::string_vie
 }
 
 Phrase wrong_pattern(const json& value, std::string_view meaning) {
-  return with_meaning(phrase("Protocols", "%1 does not have the required form; correct it")
-                          .with(quoted_value(value)),
-                      meaning);
+  // Only the meaning states the form, so that it stays next to a field too.
+  const Phrase problem = phrase("Protocols", "%1 does not have the required form; correct it")
+                             .with(quoted_value(value));
+  if (meaning.empty()) return problem;
+  return phrase("Protocols", "%1. Expected here: %2").with(problem, phrase_of_key(meaning));
 }
 
 Phrase empty_text(std::string_view meaning) {

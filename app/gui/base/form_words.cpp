@@ -36,10 +36,9 @@ struct FormWords {
 
 QString in_quotes_of_form(const QString& label) { return FormWords::tr("“%1”").arg(label); }
 
-/// The label of a key, given in quotation marks: that of the innermost object that has such a key, or else the only one that any object
-/// has. Unchanged where there is none.
-QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_view quoted) {
-  const std::string_view name = quoted.substr(1, quoted.size() - 2);
+/// The label of a key: that of the innermost object that has such a key, or else the only one that any object has. Empty where there
+/// is none.
+std::string_view label_of_key(const std::vector<const KeyTable*>& around, std::string_view name) {
   static const std::map<std::string_view, std::string_view> kLabels = labels_of_keys();
   const auto only = kLabels.find(name);
   std::string_view label = only == kLabels.end() ? std::string_view() : only->second;
@@ -47,8 +46,13 @@ QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_
     const ProtocolKey* const key = table == nullptr ? nullptr : table->find(name);
     if (key != nullptr) label = key->label;
   }
-  if (label.empty()) return text(std::string(quoted));
-  return in_quotes_of_form(text_of_keys(label));
+  return label;
+}
+
+/// The name of a key, given in quotation marks; unchanged where there is no label.
+QString label_in_quotes(const std::vector<const KeyTable*>& around, std::string_view quoted) {
+  const std::string_view label = label_of_key(around, quoted.substr(1, quoted.size() - 2));
+  return label.empty() ? text(std::string(quoted)) : in_quotes_of_form(text_of_keys(label));
 }
 
 /// A word, given in quotation marks.
@@ -80,6 +84,39 @@ QString with_settings(const std::string& sentence) {
   return text(sentence).replace(kKey, "setting");
 }
 
+/// Where the meaning of a key is read.
+enum class Meaning { in_sentence, next_to_field };
+
+QString sentence(const nlohmann::json& protocol, const Diagnostic& remark, Meaning meaning,
+                 const std::optional<NumberShape>& parameter = {}) {
+  std::vector<const KeyTable*> tables{&kProtocolTable};  // of the objects around the value
+  for (const PathPart& part : path_of(protocol, remark.pointer)) {
+    const bool is_known = tables.back() == nullptr || part.is_label;
+    if (!is_known) return words_of(remark.message);
+    tables.push_back(part.table);
+  }
+  if (tables.size() == 1) return words_of(remark.message);  // about the whole text
+  const std::optional<NumberShape> number =
+      parameter ? parameter : number_at(protocol, remark.pointer);
+  const Phrase::LookUp look_up = [&, windows = words_of_windows()](const char* context,
+                                                                   const char* words) {
+    if (context == nullptr) return windows(context, words);
+    const std::string_view of(context);
+    if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
+    if (of == kNumbersOfFile) return number_in_form(number, words, windows);
+    if (of == kMeaningsOfKeys && meaning == Meaning::next_to_field) return std::string("%1");
+    if (of == kUnitOfNumber) return number ? std::string() : std::string(words);
+    const bool has_other_unit = number && !number->display.unit.empty();
+    if (of == kUnitsOfFile && has_other_unit) return std::string();
+    if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();
+    if (of == kWordsOfKeys) return word_in_quotes(words).toStdString();
+    const std::string shown =
+        of == kTextsOfKeys ? meaning_in_form(words).toStdString() : windows(context, words);
+    return shown == words ? with_settings(shown).toStdString() : shown;
+  };
+  return text(remark.message.translated(look_up));
+}
+
 }  // namespace
 
 QString text_of_keys(std::string_view english) {
@@ -94,8 +131,10 @@ QString meaning_in_form(std::string_view english) {
   static const QRegularExpression kName("`(\\w+)`");
   QString meaning = text_of_keys(english);
   for (auto name = kName.match(meaning); name.hasMatch(); name = kName.match(meaning)) {
-    const std::string quoted = '"' + name.captured(1).toStdString() + '"';
-    meaning.replace(name.capturedStart(), name.capturedLength(), label_in_quotes({}, quoted));
+    const std::string named = name.captured(1).toStdString();
+    const std::string_view label = label_of_key({}, named);
+    const QString shown = label.empty() ? name_of_word(named) : text_of_keys(label);
+    meaning.replace(name.capturedStart(), name.capturedLength(), in_quotes_of_form(shown));
   }
   return meaning;
 }
@@ -115,32 +154,7 @@ QString place_in_form(const nlohmann::json& protocol, const std::string& pointer
 
 QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark,
                          const std::optional<NumberShape>& parameter) {
-  std::vector<const KeyTable*> tables{&kProtocolTable};  // of the objects around the value
-  for (const PathPart& part : path_of(protocol, remark.pointer)) {
-    const bool is_known = tables.back() == nullptr || part.is_label;
-    if (!is_known) return words_of(remark.message);
-    tables.push_back(part.table);
-  }
-  if (tables.size() == 1) return words_of(remark.message);  // about the whole text
-  const std::optional<NumberShape> number =
-      parameter ? parameter : number_at(protocol, remark.pointer);
-  const Phrase::LookUp look_up = [&protocol, &tables, &number, windows = words_of_windows()](
-                                     const char* context, const char* words) {
-    if (context == nullptr) return windows(context, words);
-    const std::string_view of(context);
-    if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
-    if (of == kNumbersOfFile) return number_in_form(number, words, windows);
-    if (of == kMeaningsOfKeys) return std::string("%1");
-    if (of == kUnitOfNumber) return number ? std::string() : std::string(words);
-    const bool has_other_unit = number && !number->display.unit.empty();
-    if (of == kUnitsOfFile && has_other_unit) return std::string();
-    if (of == kNamesOfKeys) return label_in_quotes(tables, words).toStdString();
-    if (of == kWordsOfKeys) return word_in_quotes(words).toStdString();
-    const std::string sentence =
-        of == kTextsOfKeys ? meaning_in_form(words).toStdString() : windows(context, words);
-    return sentence == words ? with_settings(sentence).toStdString() : sentence;
-  };
-  return text(remark.message.translated(look_up));
+  return sentence(protocol, remark, Meaning::next_to_field, parameter);
 }
 
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
@@ -148,8 +162,8 @@ QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark)
     return FormWords::tr("Line %1: %2").arg(remark.line).arg(words_of(remark.message));
   }
   const QString place = place_in_form(protocol, remark.pointer);
-  const QString sentence = sentence_in_form(protocol, remark);
-  return place.isEmpty() ? sentence : place + ": " + sentence;
+  const QString said = sentence(protocol, remark, Meaning::in_sentence);
+  return place.isEmpty() ? said : place + ": " + said;
 }
 
 }  // namespace asperity

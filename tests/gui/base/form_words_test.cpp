@@ -11,6 +11,7 @@
 #include "app/gui/base/settings.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/keys/form_sentences.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "tests/gui/editor/library_text.h"
@@ -96,9 +97,26 @@ TEST_F(WordsOfForm, NameWordsOfChoicesAsChoicesShowThem) {
                     HasSubstr("„am Blockende wiederholen“")));
 }
 
-TEST_F(WordsOfForm, NameTheKeysOfAMeaningByTheirLabels) {
+TEST_F(WordsOfForm, StateTheMeaningOnlyWhereNoFieldIsNextToIt) {
+  const nlohmann::json file = nlohmann::json::parse(library_text("amplitude_jnd"));
+  const Diagnostic missing{.pointer = "/stimuli/grating/model",
+                           .message = missing_key("model", "The force model.")};
+  EXPECT_EQ(sentence_in_form(file, missing).toStdString(),
+            "the setting “Force model” is missing; add it");
+  EXPECT_THAT(remark_in_form(file, missing).toStdString(),
+              testing::EndsWith("is missing; add it. Expected here: The force model."));
+  const Diagnostic wrong{.pointer = "/stimuli/grating/model",
+                         .message = wrong_pattern("a b", "A name of letters.")};
+  EXPECT_EQ(
+      sentence_in_form(file, wrong).toStdString(),
+      "\"a b\" does not have the required form; correct it. Expected here: A name of letters.");
+}
+
+TEST_F(WordsOfForm, NameTheKeysAndWordsOfAMeaningByTheirLabels) {
   EXPECT_EQ(meaning_in_form("At least `correct` of the last `of_last`."),
             "At least “Correct responses” of the last “Responses considered”.");
+  EXPECT_EQ(meaning_in_form("only with the judgement `comparison`"),
+            "only with the judgement “comparison”");
   EXPECT_EQ(meaning_in_form("A mesh made by `asperity bake`."), "A mesh made by `asperity bake`.");
 }
 
