@@ -121,23 +121,38 @@ FormEdit without(const JsonDocument& protocol, std::span<const std::string> poin
 }
 
 std::vector<std::string> entries_naming(const JsonDocument& protocol, const ProtocolNames& names,
-                                        const std::string& pointer) {
+                                        std::span<const std::string> pointers) {
+  const auto is_gone = [pointers](const NameUse& use) {
+    return std::ranges::any_of(pointers, [&use](const std::string& pointer) {
+      return use.pointer == pointer || use.pointer.starts_with(pointer + "/");
+    });
+  };
+  std::vector<const NameUse*> declared{};
+  for (const NameUse& use : names.uses) {
+    if (use.is_declared && is_gone(use)) declared.push_back(&use);
+  }
+  const auto is_same = [](const NameUse& one, const NameUse& other) {
+    return one.name == other.name && one.registry == other.registry;
+  };
+  std::erase_if(declared, [&](const NameUse* one) {  // what another value declares too
+    return std::ranges::any_of(names.uses, [&](const NameUse& use) {
+      return use.is_declared && is_same(use, *one) && !is_gone(use);
+    });
+  });
+  // A level that is a texture leaves with the texture, and the texture stays where a level leaves.
+  const auto names_it = [&](const NameUse& use, const NameUse& one) {
+    return is_same(use, one) ||
+           (use.name == one.name && std::ranges::any_of(names.links, [&](const auto& link) {
+              return link.first == use.registry && link.second == one.registry;
+            }));
+  };
   std::vector<std::string> entries{};
-  for (const bool is_key : {true, false}) {
-    const NameUse* const declared = declaration_at(names, pointer, is_key);
-    if (declared == nullptr) continue;
-    for (const NameUse& use : names.uses) {
-      if (use.name != declared->name || use.is_key || use.is_in_formula || use.pointer == pointer) {
-        continue;
-      }
-      // A level that is a texture leaves with the texture, and the texture stays where a level leaves.
-      const bool is_same = use.registry == declared->registry ||
-                           std::ranges::any_of(names.links, [&](const auto& link) {
-                             return link.first == use.registry && link.second == declared->registry;
-                           });
-      if (is_same && value_at(protocol, parent_of(use.pointer)).is_array()) {
-        entries.push_back(use.pointer);
-      }
+  for (const NameUse& use : names.uses) {
+    if (use.is_key || use.is_in_formula || is_gone(use)) continue;
+    const bool is_named =
+        std::ranges::any_of(declared, [&](const NameUse* one) { return names_it(use, *one); });
+    if (is_named && value_at(protocol, parent_of(use.pointer)).is_array()) {
+      entries.push_back(use.pointer);
     }
   }
   return entries;

@@ -20256,10 +20256,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Alle Namen kommen schon vor</translation>
     </message>
     <message numerus="yes">
-        <source>Remove “%1”, also as an entry of %n list(s)</source>
+        <source>Remove “%1”, and with it %n entry(ies) of lists</source>
         <translation>
-            <numerusform>„%1“ entfernen, auch als Eintrag in %n Liste</numerusform>
-            <numerusform>„%1“ entfernen, auch als Eintrag in %n Listen</numerusform>
+            <numerusform>„%1“ entfernen, dazu %n Eintrag einer Liste</numerusform>
+            <numerusform>„%1“ entfernen, dazu %n Einträge von Listen</numerusform>
         </translation>
     </message>
 </context>

@@ -79,10 +79,10 @@
 <context>
     <name>asperity::EntryList</name>
     <message numerus="yes">
-        <source>Remove “%1”, also as an entry of %n list(s)</source>
+        <source>Remove “%1”, and with it %n entry(ies) of lists</source>
         <translation>
-            <numerusform>Remove “%1”, also as an entry of %n list</numerusform>
-            <numerusform>Remove “%1”, also as an entry of %n lists</numerusform>
+            <numerusform>Remove “%1”, and with it %n entry of a list</numerusform>
+            <numerusform>Remove “%1”, and with it %n entries of lists</numerusform>
         </translation>
     </message>
 </context>

@@ -140,10 +140,10 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   for (const Tool& tool : entry.tools) {
     const qsizetype others =
         tool.action == EntryAction::remove
-            ? std::ssize(entries_naming(source().document(), source().names(), entry.pointer))
+            ? std::ssize(entries_naming(source().document(), source().names(), {&entry.pointer, 1}))
             : 0;
     const QString sentence = others == 0 ? tool.sentence.arg(title)
-                                         : tr("Remove “%1”, also as an entry of %n list(s)",
+                                         : tr("Remove “%1”, and with it %n entry(ies) of lists",
                                               nullptr, static_cast<int>(others))
                                                .arg(title);
     tool.button->setToolTip(tool.keys.isEmpty() ? sentence
@@ -514,9 +514,9 @@ std::size_t EntryList::remove(std::size_t index) {
   for (const std::size_t i : gone) {
     pointers.push_back(entries_[i].pointer);
     ticked_.erase(entries_[i].pointer);
-    std::ranges::copy(entries_naming(source().document(), source().names(), entries_[i].pointer),
-                      std::back_inserter(pointers));
   }
+  std::ranges::copy(entries_naming(source().document(), source().names(), pointers),
+                    std::back_inserter(pointers));
   rearrange([&](const JsonDocument& text) { return without(text, pointers); },
             [&](std::size_t before) -> std::optional<std::size_t> {
               const auto after = std::lower_bound(gone.begin(), gone.end(), before);
