@@ -19,10 +19,13 @@ ProtocolNames names_of_form(const JsonDocument& protocol) {
     if (found == tests.end()) found = tests.insert(tests.end(), {std::string(test->name), {}});
     found->meanings.push_back(test->meaning);
   }
-  for (const std::string& item : chosen_items(read)) names.offered[kChosenItems].push_back({item});
-  const auto scales = rated_scales(read);
+  // Also where there are none, so that other names are not offered in their place.
+  auto& items = names.offered[kChosenItems];
+  for (const std::string& item : chosen_items(read)) items.push_back({item});
+  auto& scales = names.offered[kRatedScales];
+  const auto rated = rated_scales(read);
   for (const std::string& name : declared_names(names, kAnswerNames)) {
-    if (scales.contains(name)) names.offered[kRatedScales].push_back({name});
+    if (rated.contains(name)) scales.push_back({name});
   }
   return names;
 }

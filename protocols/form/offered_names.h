@@ -14,11 +14,12 @@ namespace asperity {
 /// `names_in` the protocol, with the names that its analysis can have: tests with what they answer, items, scales.
 ProtocolNames names_of_form(const JsonDocument& protocol);
 
-/// Those that follow from the blocks, which a reference of this shape can name; null: other names.
+/// The names that a reference of this shape can have, where they follow from the blocks and no value declares them; null where values
+/// declare them.
 const std::vector<ProtocolNames::Offered>* offered_in(const ProtocolNames& names,
                                                       const NameShape& shape);
 
-/// What a reference of this shape can name, in the order of the text.
+/// All names that a reference of this shape can have.
 std::vector<std::string> offered_names(const ProtocolNames& names, const NameShape& shape);
 
 }  // namespace asperity

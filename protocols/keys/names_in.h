@@ -35,7 +35,7 @@ struct ProtocolNames {
   /// Levels of that factor that are numbers, as texts: they have no names, and a screen states the number as a text.
   std::vector<std::string> numbers_of_groups{};
 
-  /// A name that no value declares, with what the program has of this name.
+  /// A name that no value declares, such as that of a test, and what it means: that of each thing with this name.
   struct Offered {
     std::string name{};
     std::vector<std::string_view> meanings{};

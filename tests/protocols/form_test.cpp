@@ -13,6 +13,7 @@
 #include "protocols/form/form_entries.h"
 #include "protocols/form/form_pages.h"
 #include "protocols/form/new_values.h"
+#include "protocols/form/offered_names.h"
 #include "protocols/keys/tables.h"
 #include "tests/protocols/form_values.h"
 #include "tests/protocols/protocol_files.h"
@@ -338,14 +339,39 @@ TEST(FormEdits, RemoveSeveralEntriesAtOnce) {
   EXPECT_EQ(without(JsonDocument(text, ""), all).text, R"({"flow": [], "x": 1})");
 }
 
+std::vector<std::string> entries_of_names_in(const JsonDocument& protocol,
+                                             const std::vector<std::string>& pointers) {
+  return entries_naming(protocol, names_in(protocol.root()), pointers);
+}
+
 TEST(FormEdits, KnowTheEntriesOfListsThatAreGoneWithAName) {
   const JsonDocument protocol(test::library_text("attributes_of_textures"), "");
-  const ProtocolNames names = names_in(protocol.root());
-  EXPECT_THAT(entries_naming(protocol, names, "/textures/metal"),
+  const auto without_texture = entries_of_names_in(protocol, {"/textures/metal"});
+  EXPECT_THAT(without_texture,
               ElementsAre("/factors/texture/levels/0", "/blocks/recognition/question/pictures/0"));
-  EXPECT_THAT(entries_naming(protocol, names, "/blocks/recognition"), IsEmpty());
-  EXPECT_THAT(entries_naming(protocol, names, "/factors/texture/levels/0"), IsEmpty())
+  EXPECT_THAT(entries_of_names_in(protocol, {"/blocks/recognition"}), IsEmpty());
+  EXPECT_THAT(entries_of_names_in(protocol, {"/factors/texture/levels/0"}), IsEmpty())
       << "the texture stays without the level";
+}
+
+TEST(FormEdits, KeepTheEntriesOfANameThatAnotherValueDeclaresToo) {
+  const JsonDocument protocol(test::library_text("semantic_differential"), "");
+  const std::string practised = "/blocks/range/questions/0";
+  const std::string rated = "/blocks/ratings/questions/0";
+  EXPECT_THAT(entries_of_names_in(protocol, {rated}), IsEmpty());
+  EXPECT_THAT(entries_of_names_in(protocol, {practised, rated}),
+              ElementsAre("/analysis/constructs/coarseness/scales/0"));
+}
+
+TEST(OfferedNames, AreOfMainBlocksOnly) {
+  const auto offered = [](const char* protocol, const NameShape& shape) {
+    return offered_names(names_of_form(JsonDocument(test::library_text(protocol), "")), shape);
+  };
+  constexpr NameShape kScale{.registry = kAnswerNames, .among = kRatedScales};
+  constexpr NameShape kItem{.registry = kItemNames, .among = kChosenItems};
+  EXPECT_THAT(offered("semantic_differential", kScale), testing::SizeIs(8));
+  EXPECT_THAT(offered("improved_selection", kItem), testing::Not(IsEmpty()));
+  EXPECT_THAT(offered("improved_selection", kScale), IsEmpty()) << "nothing is rated";
 }
 
 // What a form writes for a new key has the form of the key.

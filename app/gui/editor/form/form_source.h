@@ -33,7 +33,7 @@ class FormSource final {
 
   /// The names that a reference can have here; of a level those of what it can be, such as textures.
   QStringList names_for(const NameShape& shape, const std::string& pointer) const;
-  /// What the program has under a name that follows from the blocks, in the language of the windows; empty: the name alone.
+  /// What a name that follows from the blocks means, in the language of the windows; empty where nothing states it.
   QString meaning_of_name(const NameShape& shape, const QString& name) const;
   /// The number of other places with the name that is declared by the value.
   std::size_t references_to(const std::string& pointer) const;
