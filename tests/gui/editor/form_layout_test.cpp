@@ -212,6 +212,27 @@ TEST_F(FormOfProtocol, KeepsWhatIsPointedAtInItsPlaceWhenProblemsAppear) {
   EXPECT_EQ(aimed_at.mapToGlobal(aimed_at.rect().center()), before);
 }
 
+// It is where the last click was, which may have opened the editor.
+TEST_F(FormOfProtocol, KeepsTheFieldInUseWhereThePointerRests) {
+  open(library_text("semantic_differential"));
+  views_.setGeometry(0, 0, 760, 700);
+  auto& field = control<QLineEdit>("/blocks/ratings/questions/1/name");
+  field.setFocus();
+  QApplication::processEvents();
+  const auto& above = child<QToolButton>(form(), "open:/blocks/ratings/questions/0");
+  QCursor::setPos(above.mapToGlobal(above.rect().center()));
+  ASSERT_EQ(QApplication::widgetAt(QCursor::pos()), &above);
+  form().show_text(text());
+  ASSERT_TRUE(field.hasFocus());
+  const QPoint before = field.mapTo(&views_, QPoint());
+  Diagnostic problem{};
+  problem.pointer = "/blocks/ratings/questions/0";
+  problem.message = "a problem";
+  views_.show_problems({problem}, {});
+  QApplication::processEvents();
+  EXPECT_EQ(field.mapTo(&views_, QPoint()), before);
+}
+
 TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
   Diagnostic problem{};
   problem.pointer = "/flow/0";

@@ -9,10 +9,8 @@
 #include <vector>
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QPointer>
 #include <QtCore/QTimer>
 #include <QtCore/QtMath>
-#include <QtGui/QCursor>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QHBoxLayout>
@@ -29,6 +27,7 @@
 #include "app/gui/editor/form/form_search.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/texts_list.h"
+#include "app/gui/editor/form/used_control.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -73,9 +72,6 @@ QWidget* control_of(const FormPart& part) {
   }
   return nullptr;
 }
-
-/// Boxes that have got their width change their height, several times where cards are unfolded within cards.
-void send_layouts() { QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); }
 
 /// Selects the first of these words in a field of text; without words, or where the text has none of them, nothing.
 void select_words(QWidget& control, const QString& words) {
@@ -131,6 +127,7 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   area_->setFrameShape(QFrame::NoFrame);
   area_->setAccessibleName(tr("Fields"));
   right->addWidget(area_, 1);
+  used_ = std::make_unique<UsedControl>(*area_);
   help_ = make_text({}, this, true);
   help_->setObjectName("form_help");
   help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -185,40 +182,7 @@ void ProtocolForm::resizeEvent(QResizeEvent* event) {
   const int needed = std::max(qCeil(longest) + kAroundPageName, kLeastPagesWidth);
   pages_->setFixedWidth(width() < kRoomyWidth ? needed : kPagesWidth);
   fit_pages();
-  keep_used_control();
-}
-
-/// Null if the pointer has not moved since the last edit, or is over no control of a field.
-QWidget* ProtocolForm::pointed_control() const {
-  if (content_ == nullptr || QCursor::pos() == pointer_at_edit_) return nullptr;
-  QWidget* const control = QApplication::widgetAt(QCursor::pos());
-  const bool is_control = control != nullptr && control->focusPolicy() != Qt::NoFocus;
-  return is_control && content_->isAncestorOf(control) ? control : nullptr;
-}
-
-/// What the user points to, or else the field in use, stays in its place, and in sight, when sentences appear or disappear above
-/// it, or news below the form takes of its height.
-void ProtocolForm::keep_used_control() {
-  QWidget* const focused = QApplication::focusWidget();
-  QWidget* const pointed = pointed_control();
-  QWidget* const used = pointed != nullptr ? pointed : focused;
-  const bool is_here = used != nullptr && content_ != nullptr && content_->isAncestorOf(used);
-  if (kept_ != nullptr || !is_here) return;
-  kept_ = used;
-  place_of_kept_ = place_of(*used);
-  is_kept_in_sight_ = !used->visibleRegion().isEmpty();
-  QTimer::singleShot(0, this, [this, focused = QPointer(focused)] {
-    // A label finds its height when it is shown.
-    if (QApplication::focusWidget() == focused) put_kept_control_back();
-    kept_ = nullptr;
-  });
-}
-
-void ProtocolForm::put_kept_control_back() {
-  if (kept_ == nullptr) return;
-  send_layouts();
-  scroll_by(place_of(*kept_) - place_of_kept_);
-  if (is_kept_in_sight_) area_->ensureWidgetVisible(kept_, 0, 0);
+  used_->keep(content_);
 }
 
 /// The list itself wraps a name only some time after its width has changed.
@@ -261,7 +225,7 @@ bool ProtocolForm::commit() {
 QString ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
   if (!can_be_edited_ || read_only_ || context_.is_refreshing) return {};
   commit();
-  pointer_at_edit_ = QCursor::pos();
+  used_->rest_pointer();
   FormEdit edited{};
   try {
     edited = change(context_.source->document());
@@ -281,6 +245,7 @@ QString ProtocolForm::edit(const FormContext::Edit& change, const std::string& s
 }
 
 void ProtocolForm::show_text(const std::string& written) {
+  used_->rest_pointer();
   try {
     auto source = std::make_shared<const FormSource>(written, models_);
     if (source->document().root().is_object()) {
@@ -461,17 +426,9 @@ void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
   add(State::stop, problems);
   add(State::look, warnings);
   count_problems();
-  keep_used_control();
+  used_->keep(content_);
   refresh();
-  put_kept_control_back();
-}
-
-void ProtocolForm::scroll_by(int step) {
-  area_->verticalScrollBar()->setValue(area_->verticalScrollBar()->value() + step);
-}
-
-int ProtocolForm::place_of(const QWidget& control) const {
-  return control.mapTo(area_->viewport(), QPoint()).y();
+  used_->put_back();
 }
 
 /// The number of problems and warnings of a page is next to its name, with the mark of the worst.

@@ -24,6 +24,8 @@ class QVBoxLayout;
 
 namespace asperity {
 
+class UsedControl;
+
 /// A view of a text, which is the only state: `edit_made` has the text after a change in a field, and `show_text` shows what
 /// has become of it.
 class ProtocolForm final : public QWidget {
@@ -92,12 +94,6 @@ class ProtocolForm final : public QWidget {
   void select_found(QWidget* control, const QString& words);
   void order_for_keyboard();
   void scroll_to(int value);
-  void scroll_by(int step);
-  QWidget* pointed_control() const;
-  void keep_used_control();
-  void put_kept_control_back();
-  /// In the part of the page that is in sight, from its top.
-  int place_of(const QWidget& control) const;
   /// To the control of this object name or of this part, after it was made again.
   struct Focus {
     QString name{};         ///< of the control; can be empty
@@ -118,15 +114,12 @@ class ProtocolForm final : public QWidget {
   bool can_be_edited_ = false;
   bool read_only_ = false;
   bool was_refused_ = false;  ///< the last edit
-  QPointer<QWidget> kept_{};  ///< the control in use, until the layout has settled
-  QPoint pointer_at_edit_{};  ///< on the screen, at the last edit
-  int place_of_kept_ = 0;
-  bool is_kept_in_sight_ = false;
   std::vector<FormPart*> parts_{};
   std::map<std::string_view, int> scrolled_{};  ///< by the page that was left
   QListWidget* pages_ = nullptr;
   QLabel* state_ = nullptr;
   QScrollArea* area_ = nullptr;
+  std::unique_ptr<UsedControl> used_{};
   QPointer<QWidget> marked_{};
   QPointer<QWidget> found_{};  ///< in which words are selected
   QWidget* content_ = nullptr;
