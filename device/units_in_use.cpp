@@ -33,7 +33,7 @@ UnitList& units_of_this_process() {
 
 UnitInUse::UnitInUse(std::string driver, AttachedDevice device) {
   device.remark.clear();
-  device.blocker = "This program uses it now. Close it, then try again.";
+  device.blocker = "This program uses it now. Close the device here, then try again.";
   UnitList& list = units_of_this_process();
   const std::lock_guard lock(list.mutex);
   list.entries.push_back({.unit = this, .driver = std::move(driver), .device = std::move(device)});

@@ -34,7 +34,7 @@ struct AssumptionParts {
   QString parameter{};  ///< "order, SD"
 };
 
-/// Of a part of the name of a parameter; the name of a factor stays.
+/// Of what a parameter is, and of the condition of a magnitude estimation.
 QString shown_part(const QString& part) {
   const std::map<QString, QString> names{
       {"bias", AssumptionFields::tr("bias")},
@@ -71,9 +71,12 @@ AssumptionParts parts_of_name(const std::string& name) {
   QString parameter = text(name).section('.', 2);
   const bool is_deviation = parameter.endsWith("_sd");
   if (is_deviation) parameter.chop(3);
-  QStringList words{};
-  for (const QString& part : parameter.split('.')) words.append(shown_part(part));
-  parts.parameter = words.join(' ');
+  const QString of = parameter.section('.', 0, -2);  // a factor, whose name is the protocol's
+  parts.parameter = shown_part(parameter.section('.', -1));
+  if (!of.isEmpty()) {
+    parts.parameter = AssumptionFields::tr("%1 (%2)").arg(parts.parameter,
+                                                          of == "condition" ? shown_part(of) : of);
+  }
   if (is_deviation) parts.parameter = AssumptionFields::tr("%1, SD").arg(parts.parameter);
   return parts;
 }

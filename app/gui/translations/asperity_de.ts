@@ -5109,7 +5109,7 @@
     <name>Drivers</name>
     <message>
         <source>A probe held by a virtual hand, for rehearsal and tests: no participant feels it.</source>
-        <translation>Ein Taster in einer virtuellen Hand, für Proben und Tests: Keine Versuchsperson fühlt ihn.</translation>
+        <translation>Ein Taster in einer virtuellen Hand, für Probeläufe und Tests: Keine Versuchsperson fühlt ihn.</translation>
     </message>
     <message>
         <source>Novint Falcon: three degrees of freedom with force, over USB.</source>
@@ -5164,8 +5164,8 @@
         <translation>Es hat keine Motoren: Es bewegt den Taster, und keine Kraft ist zu fühlen.</translation>
     </message>
     <message>
-        <source>This program uses it now. Close it, then try again.</source>
-        <translation>Dieses Programm benutzt es gerade. Es schließen, dann erneut versuchen.</translation>
+        <source>This program uses it now. Close the device here, then try again.</source>
+        <translation>Dieses Programm benutzt es gerade. Das Gerät hier schließen, dann erneut versuchen.</translation>
     </message>
 </context>
 <context>
@@ -11003,7 +11003,7 @@
         <translation>Logarithmisch</translation>
     </message>
     <message>
-        <source>Lugre</source>
+        <source>LuGre</source>
         <translation>LuGre</translation>
     </message>
     <message>
@@ -11047,7 +11047,7 @@
         <translation>Räumlich</translation>
     </message>
     <message>
-        <source>Subtract min</source>
+        <source>Minimum subtracted</source>
         <translation>Minimum abgezogen</translation>
     </message>
     <message>
@@ -11150,7 +11150,7 @@
         <translation>Bezugshöhe</translation>
     </message>
     <message>
-        <source>Face rms</source>
+        <source>Face RMS</source>
         <translation>Sichtflächen, RMS</translation>
     </message>
     <message>
@@ -11186,7 +11186,7 @@
         <translation>Reibung, Masse</translation>
     </message>
     <message>
-        <source>Friction sd</source>
+        <source>Friction SD</source>
         <translation>Reibung, SD</translation>
     </message>
     <message>
@@ -11198,7 +11198,7 @@
         <translation>Reibungsschwelle</translation>
     </message>
     <message>
-        <source>Friction static ratio</source>
+        <source>Static friction ratio</source>
         <translation>Haft- zu Gleitreibung</translation>
     </message>
     <message>
@@ -11219,7 +11219,7 @@
     </message>
     <message>
         <source>Longest wavelength kept</source>
-        <translation>Größte Wellenlänge</translation>
+        <translation>Größte behaltene Wellenlänge</translation>
     </message>
     <message>
         <source>Grain height</source>
@@ -11243,7 +11243,7 @@
     </message>
     <message>
         <source>Shortest lighting wavelength</source>
-        <translation>Beleuchtung ab</translation>
+        <translation>Kleinste Wellenlänge der Beleuchtung</translation>
     </message>
     <message>
         <source>Index</source>
@@ -11354,7 +11354,7 @@
         <translation>Polradius</translation>
     </message>
     <message>
-        <source>Pore rms</source>
+        <source>Pore RMS</source>
         <translation>Poren, RMS</translation>
     </message>
     <message>
@@ -11490,7 +11490,7 @@
         <translation>Bildbreite</translation>
     </message>
     <message>
-        <source>Youngs modulus</source>
+        <source>Young&apos;s modulus</source>
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>
@@ -12678,7 +12678,7 @@
     </message>
     <message>
         <source>JSON has no comments: delete it, or write it as the text of a key &quot;$comment&quot;</source>
-        <translation>JSON hat keine Kommentare: den Kommentar löschen oder als Text einer Einstellung &quot;$comment&quot; schreiben</translation>
+        <translation>JSON hat keine Kommentare: den Kommentar löschen oder als Text eines Schlüssels &quot;$comment&quot; schreiben</translation>
     </message>
     <message>
         <source>delete what follows the end of the protocol, or a closing bracket too many before it</source>
@@ -12714,15 +12714,15 @@
     </message>
     <message>
         <source>a colon is permitted only between a key and its value: add a comma or a quotation mark before it</source>
-        <translation>ein Doppelpunkt ist nur zwischen einer Einstellung und ihrem Wert zulässig: davor ein Komma oder ein Anführungszeichen ergänzen</translation>
+        <translation>ein Doppelpunkt ist nur zwischen einem Schlüssel und seinem Wert zulässig: davor ein Komma oder ein Anführungszeichen ergänzen</translation>
     </message>
     <message>
         <source>write a colon between a key and its value, and close every quotation mark</source>
-        <translation>zwischen eine Einstellung und ihren Wert einen Doppelpunkt setzen und jedes Anführungszeichen schließen</translation>
+        <translation>zwischen einen Schlüssel und seinen Wert einen Doppelpunkt setzen und jedes Anführungszeichen schließen</translation>
     </message>
     <message>
         <source>write the key in &quot;quotation marks&quot;</source>
-        <translation>die Einstellung in &quot;Anführungszeichen&quot; schreiben</translation>
+        <translation>den Schlüssel in &quot;Anführungszeichen&quot; schreiben</translation>
     </message>
     <message>
         <source>add a comma after the entry before it, or close a quotation mark</source>
@@ -12738,15 +12738,15 @@
     </message>
     <message>
         <source>this key is longer than %1 bytes; shorten it</source>
-        <translation>diese Einstellung hat einen Namen von mehr als %1 Byte; ihn kürzen</translation>
+        <translation>dieser Schlüssel ist länger als %1 Byte; ihn kürzen</translation>
     </message>
     <message>
         <source>the key %1 occurs twice in this object; keep one</source>
-        <translation>die Einstellung %1 kommt in diesem Objekt zweimal vor; nur eine behalten</translation>
+        <translation>der Schlüssel %1 kommt in diesem Objekt zweimal vor; nur einen behalten</translation>
     </message>
     <message>
         <source>the key %1 contains U+0000 (\u0000); delete this character</source>
-        <translation>die Einstellung %1 enthält U+0000 (\u0000); dieses Zeichen löschen</translation>
+        <translation>der Schlüssel %1 enthält U+0000 (\u0000); dieses Zeichen löschen</translation>
     </message>
     <message>
         <source>the number %1 is too large to be read; write a smaller one</source>
@@ -15336,6 +15336,10 @@
         <source>unexpected %1</source>
         <translation>%1 wird hier nicht erwartet</translation>
     </message>
+    <message>
+        <source>%1. Expected here: %2</source>
+        <translation>%1. Hier erwartet: %2</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>
@@ -15794,7 +15798,7 @@
     </message>
     <message>
         <source>SD over participants of the log-odds between any two items</source>
-        <translation>SD der Log-Odds zwischen zwei beliebigen Items über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Log-Odds zwischen zwei beliebigen Items</translation>
     </message>
     <message>
         <source>natural log-odds of the target in the group %1 minus those in %2</source>
@@ -15814,7 +15818,7 @@
     </message>
     <message>
         <source>SD over participants of the log-odds in favour of the first surface</source>
-        <translation>SD der Log-Odds zugunsten der ersten Oberfläche über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Log-Odds zugunsten der ersten Oberfläche</translation>
     </message>
     <message>
         <source>difference of the utilities below which the response is a tie</source>
@@ -15826,7 +15830,7 @@
     </message>
     <message>
         <source>SD over participants of the natural logarithm of the threshold</source>
-        <translation>SD des natürlichen Logarithmus der Schwelle über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: natürlicher Logarithmus der Schwelle</translation>
     </message>
     <message>
         <source>exponent with which d′ grows with the difference</source>
@@ -15838,7 +15842,7 @@
     </message>
     <message>
         <source>SD over participants of the natural logarithm of this ratio</source>
-        <translation>SD des natürlichen Logarithmus dieses Verhältnisses über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: natürlicher Logarithmus dieses Verhältnisses</translation>
     </message>
     <message>
         <source>point of subjective equality minus the standard</source>
@@ -15846,7 +15850,7 @@
     </message>
     <message>
         <source>SD over participants of this difference</source>
-        <translation>SD dieser Differenz über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: diese Differenz</translation>
     </message>
     <message>
         <source>advantage of the first surface: what is added to its impression before the choice</source>
@@ -15854,7 +15858,7 @@
     </message>
     <message>
         <source>SD over participants of this order effect</source>
-        <translation>SD dieses Reihenfolgeeffekts über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: dieser Reihenfolgeeffekt</translation>
     </message>
     <message>
         <source>impression above which the response is &quot;yes&quot;</source>
@@ -15866,7 +15870,7 @@
     </message>
     <message>
         <source>SD over participants of the criterion</source>
-        <translation>SD des Kriteriums über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Kriterium</translation>
     </message>
     <message>
         <source>difference of two impressions below which the response is &quot;cannot tell&quot;</source>
@@ -15890,7 +15894,7 @@
     </message>
     <message>
         <source>SD over participants of the natural logarithm of the ratio of any two stimuli</source>
-        <translation>SD des natürlichen Logarithmus des Verhältnisses zweier beliebiger Reize über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: natürlicher Logarithmus des Verhältnisses zweier beliebiger Reize</translation>
     </message>
     <message>
         <source>exponent of the power function of the %1 over the spacing; above 0, the first grows with the second</source>
@@ -15902,7 +15906,7 @@
     </message>
     <message>
         <source>SD over participants of the exponent</source>
-        <translation>SD des Exponenten über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Exponent</translation>
     </message>
     <message>
         <source>decrease of the logarithm (base 10) of the %1 from the spacing of maximum roughness to 10 times this spacing, and to a tenth of it</source>
@@ -15910,7 +15914,7 @@
     </message>
     <message>
         <source>SD over participants of this decrease</source>
-        <translation>SD dieser Abnahme über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: diese Abnahme</translation>
     </message>
     <message>
         <source>spacing of maximum roughness of the median participant if the exponent is 0; otherwise it is multiplied by 10^(exponent / (2 · curvature))</source>
@@ -15918,7 +15922,7 @@
     </message>
     <message>
         <source>SD over participants of the natural logarithm of this spacing</source>
-        <translation>SD des natürlichen Logarithmus dieses Abstands über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: natürlicher Logarithmus dieses Abstands</translation>
     </message>
     <message>
         <source>%1 in %2 divided by that in %3</source>
@@ -15942,7 +15946,7 @@
     </message>
     <message>
         <source>SD over participants of this logarithm</source>
-        <translation>SD dieses Logarithmus über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: dieser Logarithmus</translation>
     </message>
     <message>
         <source>SD of the logarithm (base 10) of the estimates of one participant for one stimulus</source>
@@ -15958,7 +15962,7 @@
     </message>
     <message>
         <source>SD over participants of the natural logarithm of d′</source>
-        <translation>SD des natürlichen Logarithmus von d′ über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: natürlicher Logarithmus von d′</translation>
     </message>
     <message>
         <source>d′ of the group %1 divided by that of %2</source>
@@ -15966,11 +15970,11 @@
     </message>
     <message>
         <source>SD over textures of the natural logarithm of d′</source>
-        <translation>SD des natürlichen Logarithmus von d′ über die Texturen</translation>
+        <translation>SD zwischen den Texturen: natürlicher Logarithmus von d′</translation>
     </message>
     <message>
         <source>SD over pictures of a participant&apos;s preference for a picture</source>
-        <translation>SD der Bevorzugung eines Bildes durch eine Versuchsperson über die Bilder</translation>
+        <translation>SD zwischen den Bildern: Bevorzugung eines Bildes durch eine Versuchsperson</translation>
     </message>
     <message>
         <source>mean rating of %1 minus that of %2, %3</source>
@@ -15978,7 +15982,7 @@
     </message>
     <message>
         <source>SD over participants of the difference between any two items</source>
-        <translation>SD der Differenz zweier beliebiger Items über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Differenz zweier beliebiger Items</translation>
     </message>
     <message>
         <source>mean rating of trials with a correct response minus that of trials with an incorrect one, %1</source>
@@ -15994,7 +15998,7 @@
     </message>
     <message>
         <source>SD over participants of the mean rating of all items</source>
-        <translation>SD des mittleren Urteils über alle Items über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: mittleres Urteil über alle Items</translation>
     </message>
     <message>
         <source>SD of the ratings of one participant for one item</source>
@@ -16010,11 +16014,11 @@
     </message>
     <message>
         <source>the first</source>
-        <translation>dem ersten Item</translation>
+        <translation>„erstes Item“</translation>
     </message>
     <message>
         <source>the last</source>
-        <translation>dem letzten Item</translation>
+        <translation>„letztes Item“</translation>
     </message>
     <message>
         <source>probability of a response that does not depend on the surfaces</source>
@@ -16026,7 +16030,7 @@
     </message>
     <message>
         <source>SD over participants of the difference between any two pairs</source>
-        <translation>SD der Differenz zweier beliebiger Paare über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: Differenz zweier beliebiger Paare</translation>
     </message>
     <message>
         <source>mean dissimilarity of different minus that of identical pairs, %1</source>
@@ -16038,7 +16042,7 @@
     </message>
     <message>
         <source>SD over participants of this mean</source>
-        <translation>SD dieses Mittelwerts über die Versuchspersonen</translation>
+        <translation>SD zwischen den Versuchspersonen: dieser Mittelwert</translation>
     </message>
     <message>
         <source>SD of the ratings of one participant for one pair</source>
@@ -18159,7 +18163,7 @@
     </message>
     <message>
         <source>correct_answer</source>
-        <translation>Lösung</translation>
+        <translation>richtige Antwort</translation>
     </message>
     <message>
         <source>start</source>
@@ -18964,7 +18968,7 @@
     </message>
     <message>
         <source>lapse</source>
-        <translation>Aussetzer</translation>
+        <translation>Fehlerrate</translation>
     </message>
     <message>
         <source>level</source>
@@ -19033,6 +19037,10 @@
     <message>
         <source>scale units</source>
         <translation>Skaleneinheiten</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -93,8 +93,9 @@ TEST_F(PrecisionOfAProtocol, NamesThreeOfManyMissingValuesInTheLanguageOfTheWind
   EXPECT_TRUE(state().contains(": Differenz; ")) << state().toStdString();
   EXPECT_TRUE(state().endsWith("; und 13 weitere")) << state().toStdString();
   EXPECT_EQ(assumption_caption("main.felt.condition.peak_ratio_sd"),
-            "main, felt: Bedingung Verhältnis der Maxima, SD");
-  EXPECT_EQ(assumption_caption("main.felt.ground.ratio"), "main, felt: ground Verhältnis");
+            "main, felt: Verhältnis der Maxima (Bedingung), SD");
+  EXPECT_EQ(assumption_caption("main.felt.texture.ratio"), "main, felt: Verhältnis (texture)")
+      << "the name of a factor is no word of the program";
   apply_language("en");
 }
 
