@@ -247,6 +247,7 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   const ProtocolCheck map = check(of_study);
   ASSERT_FALSE(map.diagnostics.empty());
   EXPECT_THAT(map.diagnostics.front().message.english(), testing::HasSubstr("\"recording\""));
+  EXPECT_TRUE(check(with(own, "map_of_textures")).is_valid());
   EXPECT_FALSE(check(with({own.front()}, "photo_matching")).is_valid());
   // The files of the template's textures are not in the study yet.
   EXPECT_TRUE(

@@ -306,7 +306,7 @@ TEST_F(RenderingsTest, AreUsedInAProtocolFromATemplate) {
   click("use_template", use);
   auto& choice = child<QDialog>(use, "template_dialog");
   auto& templates = child<StudyTable>(choice, "template_table");
-  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
   templates.select("semantic_differential");
   const auto& create = child<QPushButton>(choice, "template_create");
   ASSERT_TRUE(eventually([&] { return create.isEnabled(); })) << "its textures are chosen";

@@ -45,7 +45,7 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   child<QPushButton>(window_, "protocols_new").click();
   auto& dialog = child<QDialog>(window_, "template_dialog");
   auto& templates = child<StudyTable>(dialog, "template_table");
-  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
   auto& own = child<QRadioButton>(dialog, "template_own");
   const auto& copied = child<QRadioButton>(dialog, "template_copied");
   const auto state = [&] {
@@ -110,7 +110,7 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   child<QPushButton>(window_, "protocols_new").click();
   auto& dialog = child<QDialog>(window_, "template_dialog");
   auto& templates = child<StudyTable>(dialog, "template_table");
-  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
   EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled());
   templates.select("chapter_selection");
   EXPECT_EQ(child<QLabel>(dialog, "template_needs").text(), "This template compares 4 textures.");
@@ -174,7 +174,7 @@ TEST_F(StudyPages, ShowATemplateInASmallWindow) {
   auto& dialog = child<QDialog>(window_, "template_dialog");
   dialog.resize(910, 512);
   auto& templates = child<StudyTable>(dialog, "template_table");
-  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
   const auto& details = child<QScrollArea>(dialog, "template_details");
   for (int row = 0; row < templates.shown_rows(); ++row) {
     templates.selectRow(row);
