@@ -66,8 +66,8 @@ TextChanges renamed_in(const JsonDocument& protocol, ProtocolNames names,
   TextChanges changes{};
   for (const NameUse& use : names.uses) {
     if (!registries.contains(use.registry)) continue;
-    // A reference to a level that does not exist was meant as this one; as a key it would be there twice.
-    const bool is_meant = is_of_levels(use.registry) && !use.is_declared && !use.is_key;
+    // A reference to what does not exist was meant as this one; as a key it would be there twice.
+    const bool is_meant = !use.is_declared && !use.is_key;
     if (use.name == after && !is_meant && !taken) taken = use.pointer;
     if (use.name != name) continue;
     if (use.is_declared) undeclared.erase(use.registry);

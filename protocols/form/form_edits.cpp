@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -42,6 +43,22 @@ std::optional<ValueShape> container_shape(const JsonDocument& protocol,
   if (!shape) return {};
   const ValueShape* const found = shape_of(*shape, value_at(protocol, container));
   return found == nullptr ? std::nullopt : std::optional(*found);
+}
+
+/// The entry of a list that is the name at the place, a combination of levels with it, or what is done with the thing, such as the
+/// run of a block; nullopt for other places.
+std::optional<std::string> entry_about(const JsonDocument& protocol, const std::string& pointer) {
+  const std::string around = parent_of(pointer);
+  if (value_at(protocol, around).is_array()) return pointer;
+  const auto list = container_shape(protocol, parent_of(around));
+  if (!list || !std::holds_alternative<ListShape>(*list)) return {};
+  const ValueShape* const entry =
+      shape_of(*std::get<ListShape>(*list).entry, value_at(protocol, around));
+  if (entry == nullptr) return {};
+  const auto* const object = std::get_if<ObjectShape>(entry);
+  const bool is_about =
+      object == nullptr || std::ranges::count(object->table->deciding, key_of(pointer)) > 0;
+  return is_about ? std::optional(around) : std::nullopt;
 }
 
 /// What the keys of a map refer to; at the top of a protocol they declare.
@@ -151,11 +168,31 @@ std::vector<std::string> entries_naming(const JsonDocument& protocol, const Prot
     if (use.is_key || use.is_in_formula || is_gone(use)) continue;
     const bool is_named =
         std::ranges::any_of(declared, [&](const NameUse* one) { return names_it(use, *one); });
-    if (is_named && value_at(protocol, parent_of(use.pointer)).is_array()) {
-      entries.push_back(use.pointer);
-    }
+    if (!is_named) continue;
+    if (const auto entry = entry_about(protocol, use.pointer)) entries.push_back(*entry);
   }
   return entries;
+}
+
+FormEdit with_removed(const JsonDocument& protocol, std::vector<std::string> pointers) {
+  const ProtocolNames before = names_of_form(protocol);
+  std::ranges::copy(entries_naming(protocol, before, pointers), std::back_inserter(pointers));
+  FormEdit edit = without(protocol, pointers);
+  const JsonDocument removed(edit.text, kEdited);
+  const ProtocolNames after = names_of_form(removed);
+  constexpr NameShape kTest{.registry = kTestNames};
+  const auto has = [&kTest](const ProtocolNames& names, const std::string& test) {
+    return std::ranges::count(offered_names(names, kTest), test) > 0;
+  };
+  std::vector<std::string> tests{};  // that no block has any more
+  for (const NameUse& use : after.uses) {
+    const bool is_gone = has(before, use.name) && !has(after, use.name);
+    if (use.registry == kTestNames && is_gone) tests.push_back(use.pointer);
+  }
+  if (tests.empty()) return edit;
+  const std::string family = parent_of(tests.front());
+  if (value_at(removed, family).size() == tests.size()) tests = {family};
+  return {without(removed, tests).text, edit.pointer};
 }
 
 FormEdit with_entry(const JsonDocument& protocol, const std::string& container,

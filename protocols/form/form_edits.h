@@ -37,10 +37,14 @@ FormEdit with_new_value(const JsonDocument& protocol, const std::string& pointer
 /// Without these values, which can be entries of several containers.
 FormEdit without(const JsonDocument& protocol, std::span<const std::string> pointers);
 
-/// The entries of lists elsewhere with a name that only these values, or values in them, declare: of a texture also the levels that
-/// are this texture. Such an entry names nothing once the values are removed.
+/// The entries of lists elsewhere that are about what these values declare, or values in them, and nothing else declares: its name,
+/// listed trials with a level, the run of a block; of a texture also the levels that are this texture. Such an entry has no
+/// meaning once the values are removed.
 std::vector<std::string> entries_naming(const JsonDocument& protocol, const ProtocolNames& names,
                                         std::span<const std::string> pointers);
+
+/// Without these values, the entries that are about them (entries_naming), and tests of the analysis that no block has any more.
+FormEdit with_removed(const JsonDocument& protocol, std::vector<std::string> pointers);
 
 /// With a new last entry of a list or a map. Without `key` it is a copy of the last one under another name, or the simplest value if
 /// there is none; of a list of names, words or levels it is another one of them (new_entries.h). With `key` it is the simplest

@@ -349,9 +349,33 @@ TEST(FormEdits, KnowTheEntriesOfListsThatAreGoneWithAName) {
   const auto without_texture = entries_of_names_in(protocol, {"/textures/metal"});
   EXPECT_THAT(without_texture,
               ElementsAre("/factors/texture/levels/0", "/blocks/recognition/question/pictures/0"));
-  EXPECT_THAT(entries_of_names_in(protocol, {"/blocks/recognition"}), IsEmpty());
+  EXPECT_THAT(entries_of_names_in(protocol, {"/blocks/recognition"}), ElementsAre("/flow/11"))
+      << "a block without a run";
   EXPECT_THAT(entries_of_names_in(protocol, {"/factors/texture/levels/0"}), IsEmpty())
       << "the texture stays without the level";
+}
+
+TEST(FormEdits, RemoveListedTrialsWithATextureAndNoStepThatDoesSomethingElse) {
+  const JsonDocument differential(test::library_text("semantic_differential"), "");
+  EXPECT_THAT(entries_of_names_in(differential, {"/textures/metal"}),
+              ElementsAre("/factors/texture/levels/0", "/blocks/range/listed/2"));
+  const JsonDocument sweep(test::library_text("roughness_speed"), "");
+  const std::string factor = "/factors/speed";
+  ASSERT_TRUE(sweep.root().contains(json::json_pointer(factor)));
+  for (const std::string& entry : entries_of_names_in(sweep, {factor})) {
+    EXPECT_FALSE(entry.starts_with("/flow")) << entry << ": the run of a block for each speed";
+  }
+}
+
+TEST(FormEdits, RemoveTheTestsOfABlockWithIt) {
+  const std::string text = test::library_text("attributes_of_textures");
+  const JsonDocument protocol(text, "");
+  const json one = json::parse(with_removed(protocol, {"/blocks/recognition"}).text);
+  EXPECT_EQ(one["analysis"]["family"], json::array({"ratings"}));
+  EXPECT_EQ(one["flow"].size(), protocol.root()["flow"].size() - 1);
+  const json none =
+      json::parse(with_removed(protocol, {"/blocks/recognition", "/blocks/ratings"}).text);
+  EXPECT_EQ(none["analysis"], json::object());
 }
 
 TEST(FormEdits, KeepTheEntriesOfANameThatAnotherValueDeclaresToo) {

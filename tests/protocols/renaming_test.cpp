@@ -227,6 +227,13 @@ TEST(RenamingOf, AnythingElseChangesItsReferences) {
   EXPECT_EQ(changed_lines({"textures", "b"}, "b"), "");
 }
 
+TEST(RenamingOf, AThingTakesTheNameThatAReferenceStates) {
+  const std::string text =
+      R"({"blocks": {"main_2": {}}, "flow": [{"run": "main_2"}, {"run": "main"}]})";
+  EXPECT_EQ(renamed(text, {"blocks", "main_2"}, "main"),
+            R"({"blocks": {"main": {}}, "flow": [{"run": "main"}, {"run": "main"}]})");
+}
+
 TEST(RenamingOf, WhatIsTakenOrNotDeclaredIsRefused) {
   const auto refusal = [](const Thing& thing, std::string_view after) {
     return refusal_of([&] { renamed(kReferences, thing, after); });

@@ -3,7 +3,6 @@
 #include "app/gui/editor/form/entry_list.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -515,9 +514,7 @@ std::size_t EntryList::remove(std::size_t index) {
     pointers.push_back(entries_[i].pointer);
     ticked_.erase(entries_[i].pointer);
   }
-  std::ranges::copy(entries_naming(source().document(), source().names(), pointers),
-                    std::back_inserter(pointers));
-  rearrange([&](const JsonDocument& text) { return without(text, pointers); },
+  rearrange([&](const JsonDocument& text) { return with_removed(text, pointers); },
             [&](std::size_t before) -> std::optional<std::size_t> {
               const auto after = std::lower_bound(gone.begin(), gone.end(), before);
               if (after != gone.end() && *after == before) return {};
