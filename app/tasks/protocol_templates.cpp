@@ -17,15 +17,22 @@
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/demo_stimuli.h"
 #include "protocols/editing/edits.h"
+#include "protocols/file/protocol_problems.h"
 #include "protocols/file/translation.h"
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
+#include "protocols/keys/names_in.h"
 #include "protocols/kinds/estimation.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/course.h"
 #include "protocols/shapes/key.h"
+#include "protocols/warnings/plan_warnings.h"
+#include "renderers/built_in_models.h"
+#include "renderers/force/force_model.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
@@ -110,6 +117,20 @@ std::string with_demo_stimuli(std::string text, const std::filesystem::path& stu
   return text;
 }
 
+/// Without the levels that are force models which need files that reliefs do not have, such as recordings.
+std::string without_models_of_files(std::string text, const std::string& name) {
+  const JsonDocument protocol(text, name);
+  const ProtocolNames names = names_in(protocol.root());
+  std::vector<std::string> removed{};
+  for (const ModelDeclaration& model : declarations_of(built_in_models())) {
+    if (model.assets.empty()) continue;
+    for (const NameUse& use : uses_of(names, std::string(kModelNames), model.id)) {
+      if (use.is_declared) removed.push_back(use.pointer);
+    }
+  }
+  return removed.empty() ? text : with_removed(protocol, std::move(removed)).text;
+}
+
 /// An estimation by the spacing of textures that do not state enough for a curve compares them as any other stimuli, by their
 /// factor.
 std::string with_estimated_stimuli(std::string text, const std::string& name) {
@@ -143,6 +164,26 @@ std::string with_estimated_stimuli(std::string text, const std::string& name) {
   }
   with(family.to_string(), tests);
   return text;
+}
+
+/// Without breaks after more trials than runs of fewer stimuli have.
+std::string without_unreached_breaks(const std::string& text, const std::string& name) {
+  const ProtocolReading reading =
+      read_protocol_with_problems(text, name, declarations_of(built_in_models()));
+  if (!reading.protocol || !reading.problems.empty()) return text;
+  std::vector<std::string> removed{};
+  const nlohmann::json root = nlohmann::json::parse(text);
+  const Plan plan = example_plan(*reading.protocol, {1, 0});
+  for (const Diagnostic& warning : warnings_about_plan(*reading.protocol, name, plan)) {
+    const nlohmann::json::json_pointer place(warning.pointer);
+    if (place.empty() || place.back() != "break_every_trials") continue;
+    removed.push_back(warning.pointer);
+    const nlohmann::json step = root.at(place.parent_pointer());
+    if (step.contains("pause") && !step.contains("break_every_contact_minutes")) {
+      removed.push_back((place.parent_pointer() / "pause").to_string());
+    }
+  }
+  return without(JsonDocument(text, name), removed).text;
 }
 
 }  // namespace
@@ -185,8 +226,9 @@ std::string text_from_template(const TemplateChoice& choice) {
     text = with_value(JsonDocument(text, choice.name), "/title", title).text;
   }
   if (choice.textures.from != TemplateTextures::From::study) return text;
-  return with_estimated_stimuli(with_textures(JsonDocument(text, choice.name), choice.textures.own),
-                                choice.name);
+  text = with_textures(JsonDocument(text, choice.name), choice.textures.own);
+  text = with_estimated_stimuli(without_models_of_files(std::move(text), choice.name), choice.name);
+  return without_unreached_breaks(text, choice.name);
 }
 
 CheckedTemplate check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,

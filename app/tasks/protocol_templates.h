@@ -43,9 +43,10 @@ struct TemplateChoice {
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                              const TemplateChoice& choice);
 
-/// The text that the protocol's file gets, without the names that files of the demonstration have in the study. An estimation by
-/// spacing with own textures of which one states no spacing, or all fewer than three different ones, is one by stimuli: "factor" in
-/// place of "spacing", with the tests of that way.
+/// The text that the protocol's file gets, without the names that files of the demonstration have in the study. With own textures,
+/// force models that need other files than reliefs, such as recordings, are left out of comparisons, and breaks that fewer
+/// trials do not reach; and an estimation by spacing is one by stimuli ("factor" in place of "spacing", with the tests of that way) if
+/// one of them states no spacing, or all fewer than three different ones.
 ///
 /// Errors: as `protocol_from_template`, for the name and for own textures.
 std::string text_from_template(const TemplateChoice& choice);

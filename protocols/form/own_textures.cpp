@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "protocols/design/json_pointer.h"
@@ -130,6 +131,58 @@ std::string without_statements(const std::string& text, const std::string& textu
   return without(protocol, removed).text;
 }
 
+/// The value of the key, or an empty one.
+const json& member(const json& object, std::string_view key) {
+  static const json kNone = json::object();
+  const auto found = object.find(key);
+  return found == object.end() ? kNone : *found;
+}
+
+/// The factors whose levels are the textures.
+std::vector<std::string> texture_factors(const json& root) {
+  const ProtocolNames names = names_in(root);
+  std::vector<std::string> factors{};
+  for (const auto& [factor, declared] : member(root, "factors").items()) {
+    const std::pair<std::string, std::string> link{levels_of(factor), kTextures};
+    if (std::ranges::find(names.links, link) != names.links.end()) factors.push_back(factor);
+  }
+  return factors;
+}
+
+/// With orders and criteria that blocks can have with `textures` levels in place of `before`, which are more. One level always
+/// follows itself; levels in turn have the distance of their number; and a criterion needs its trials.
+std::string with_possible_orders(std::string text, std::size_t textures, std::size_t before) {
+  const json root = json::parse(text);
+  const auto set = [&text](const json::json_pointer& place, const json& value) {
+    text = with_value(JsonDocument(text, kTemplate), place.to_string(), value.dump()).text;
+  };
+  const auto remove = [&text](const json::json_pointer& place) {
+    text = without(JsonDocument(text, kTemplate), std::array{place.to_string()}).text;
+  };
+  for (const std::string& factor : texture_factors(root)) {
+    for (const auto& [name, block] : member(root, "blocks").items()) {
+      const json::json_pointer place = json::json_pointer("/blocks") / name;
+      for (const char* const order : {"maximum_in_a_row", "minimum_distance"}) {
+        const json::json_pointer own = json::json_pointer("") / order / factor;
+        if (!block.contains(own)) continue;
+        const bool is_distance = order == std::string_view("minimum_distance");
+        if (textures == 1) {
+          remove(block.at(order).size() == 1 ? place / order : place / order / factor);
+        } else if (is_distance && block.at(own) > textures) {
+          set(place / order / factor, textures);
+        }
+      }
+      const json& crossed = member(block, "crossed");
+      const bool is_crossed = std::ranges::find(crossed, json(factor)) != crossed.end();
+      if (is_crossed && block.contains("until")) {
+        const std::size_t repetitions = block.value("repetitions", 1U);
+        set(place / "repetitions", (repetitions * before + textures - 1) / textures);
+      }
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string with_textures(const JsonDocument& protocol, std::span<const OwnTexture> textures) {
@@ -137,6 +190,7 @@ std::string with_textures(const JsonDocument& protocol, std::span<const OwnTextu
   std::vector<std::string> names = texture_names(text);
   if (names.empty() || textures.empty()) return text;
   text = without_statements(text, names.front());
+  const std::size_t before = names.size();
   while (names.size() < textures.size()) {
     names.push_back("texture_of_the_study_" + std::to_string(names.size()));
     text = with_copied_texture(text, names[names.size() - 2], names.back());
@@ -153,6 +207,7 @@ std::string with_textures(const JsonDocument& protocol, std::span<const OwnTextu
     text = renamed(text, "renamed_texture_" + std::to_string(i), textures[i].name);
     text = with_files(std::move(text), textures[i], i);
   }
+  if (textures.size() < before) text = with_possible_orders(text, textures.size(), before);
   // Features that the template states of its textures are those of no other texture.
   const json::json_pointer expectation("/observer/expectation");
   const JsonDocument made(text, kTemplate);

@@ -23,7 +23,8 @@ struct OwnTexture {
 /// a place outside of lists, such as an anchor, names a remaining one; of one with fewer, the last one is copied with the
 /// entries of lists that name it. What belongs to the template's textures is left out: their true relief, recordings and measured
 /// features, the description of the protocol, and the meanings of the factors that they are levels of. The spacing of a texture of the study is
-/// stated where the template has one.
+/// stated where the template has one. Where fewer textures are left, blocks have no order that they cannot have, and no fewer trials
+/// than a criterion needs.
 ///
 /// The result can have problems, such as a list that is too short: the check states them. Errors: ProtocolError if a name cannot be
 /// one, or if a texture has the name of a level that is none.

@@ -242,23 +242,64 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   const auto check = [&](const TemplateChoice& choice) {
     return check_of_template(study_, choice, models_).check;
   };
-  // One of the models of the map renders recordings, which reliefs of the study do not have.
-  const TemplateChoice of_study = with(own, "map_of_renderings");
-  const ProtocolCheck map = check(of_study);
-  ASSERT_FALSE(map.diagnostics.empty());
-  EXPECT_THAT(map.diagnostics.front().message.english(), testing::HasSubstr("\"recording\""));
   EXPECT_TRUE(check(with(own, "map_of_textures")).is_valid());
-  EXPECT_FALSE(check(with({own.front()}, "photo_matching")).is_valid());
+  const TemplateChoice one_picture = with({own.front()}, "photo_matching");
+  const ProtocolCheck matching = check(one_picture);
+  ASSERT_FALSE(matching.diagnostics.empty());
   // The files of the template's textures are not in the study yet.
   EXPECT_TRUE(
       check({.name = "map_of_renderings", .textures = {.from = From::demonstration}}).is_valid());
   EXPECT_FALSE(std::filesystem::exists(study_ / "protocols" / "map_of_renderings.json"));
   // What is written has the problems of the check.
-  const auto file = protocol_from_template(study_, of_study);
+  const auto file = protocol_from_template(study_, one_picture);
   const ProtocolCheck written = check_protocol(file, models_, study_, std::nullopt);
-  ASSERT_EQ(written.diagnostics.size(), map.diagnostics.size());
+  ASSERT_EQ(written.diagnostics.size(), matching.diagnostics.size());
   EXPECT_EQ(written.diagnostics.front().message.english(),
-            map.diagnostics.front().message.english());
+            matching.diagnostics.front().message.english());
+}
+
+TEST_F(ProtocolFromTemplate, ComparesNoModelThatNeedsOtherFilesThanReliefs) {
+  add_relief("bark");
+  for (const char* const name : {"map_of_renderings", "models_in_pairs", "realism_of_models"}) {
+    const auto file =
+        protocol_from_template(study_, with(named(reliefs_of_study(study_), {"bark"}), name));
+    EXPECT_EQ(problems_of(file), "") << name;
+    EXPECT_THAT(read_file(file), testing::Not(testing::HasSubstr("recorded"))) << name;
+  }
+}
+
+// Also without a warning, except where three textures are too few for the analysis.
+TEST_F(ProtocolFromTemplate, IsValidWithThreeTexturesOfTheStudy) {
+  for (const char* const name : {"a", "b", "c"}) add_relief(name);
+  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b", "c"});
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (textures_of(each).names.empty()) continue;
+    const std::string name(each.name);
+    const ProtocolCheck check = check_of_template(study_, with(own, name), models_).check;
+    EXPECT_TRUE(check.is_valid()) << name << ": " << text_of(check.diagnostics.front());
+    std::vector<std::string> warnings{};
+    for (const Diagnostic& warning : check.warnings) {
+      // The textures of a template that has one for all of its force models.
+      if (!warning.pointer.starts_with("/textures/")) warnings.push_back(text_of(warning));
+    }
+    if (name == "map_of_textures") {
+      EXPECT_THAT(warnings, ElementsAre(testing::HasSubstr("requires at least 9 surfaces")));
+    } else {
+      EXPECT_THAT(warnings, testing::IsEmpty()) << name;
+    }
+  }
+}
+
+TEST_F(ProtocolFromTemplate, HasNoOrderThatFewTexturesCannotHave) {
+  for (const char* const name : {"a", "b"}) add_relief(name);
+  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b"});
+  const auto block = [](const TemplateChoice& choice, const char* name) {
+    return nlohmann::json::parse(text_from_template(choice))["blocks"][name];
+  };
+  EXPECT_EQ(block(with(own, "semantic_differential"), "ratings")["minimum_distance"]["texture"], 2);
+  EXPECT_FALSE(block(with({own[0]}, "improved_selection"), "main").contains("maximum_in_a_row"));
+  EXPECT_EQ(block(with(own, "improved_recognition"), "practice")["repetitions"], 18)
+      << "as many trials for the criterion as six textures have";
 }
 
 TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {

@@ -46,8 +46,7 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   auto& dialog = child<QDialog>(window_, "template_dialog");
   auto& templates = child<StudyTable>(dialog, "template_table");
   ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
-  auto& own = child<QRadioButton>(dialog, "template_own");
-  const auto& copied = child<QRadioButton>(dialog, "template_copied");
+  const auto& own = child<QRadioButton>(dialog, "template_own");
   const auto state = [&] {
     const QString html = child<QLabel>(dialog, "template_state").text();
     return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
@@ -66,14 +65,13 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_FALSE(child<QLabel>(dialog, "template_state").isVisibleTo(&dialog));
   EXPECT_FALSE(create.isEnabled());
 
-  // One of its models renders recordings, of which the template has one for its own texture.
-  templates.select("map_of_renderings");
+  // A matching needs as many surfaces as pictures, and the template has four.
+  templates.select("improved_matching");
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
-  EXPECT_TRUE(copied.isChecked());
-  own.click();
+  EXPECT_TRUE(own.isChecked());
+  tick_only(dialog, {"brick"});
   EXPECT_TRUE(shows(kProblem)) << state().toStdString();
-  EXPECT_TRUE(state().contains("the asset \"recording\"")) << state().toStdString();
-  EXPECT_TRUE(state().contains(": Surfaces › ")) << "the page of the form, not /textures";
+  EXPECT_TRUE(state().contains(": Task › ")) << "the page of the form, not /blocks";
   EXPECT_TRUE(create.isEnabled()) << "it can be corrected in the form";
   take_screenshot(dialog, "template-dialog-problem", {1120, 700});
 
@@ -92,11 +90,11 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_TRUE(create.isEnabled());
   tick_only(dialog, {"brick", "metal"});
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
-  EXPECT_TRUE(facts().contains(" · 25 trials · about 12 min · ")) << facts().toStdString();
+  EXPECT_TRUE(facts().contains(" · 25 trials · about 8 min · ")) << facts().toStdString();
 
   // Closing does not wait for the check that runs.
   const QPointer<QDialog> closed(&dialog);
-  templates.select("map_of_renderings");
+  templates.select("improved_matching");
   dialog.reject();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   ASSERT_FALSE(closed.isNull());
