@@ -87,6 +87,12 @@ Phrase place_name(std::string_view pointer) {
 
 Phrase phrase_of_key(std::string_view text) { return {kTextsOfKeys, std::string(text).c_str()}; }
 
+Phrase with_json(const std::string& json) { return phrase("JsonOfFile", ", with %1").with(json); }
+
+Phrase such_as_json(const std::string& json) {
+  return phrase("JsonOfFile", ", such as %1").with(json);
+}
+
 std::vector<Phrase> quoted(const std::vector<std::string>& names) {
   std::vector<Phrase> all{};
   for (const std::string& name : names) all.emplace_back(in_quotes(name));

@@ -25,6 +25,12 @@ Phrase word_name(std::string_view word);
 /// The context of places of keys, JSON pointers: a form shows the labels that lead to the key.
 inline constexpr const char* kPlacesOfKeys = "PlacesOfKeys";
 Phrase place_name(std::string_view pointer);
+/// The context of examples in JSON, with the words that lead to them: forms leave them out.
+inline constexpr const char* kJsonOfFile = "JsonOfFile";
+/// ", with JSON" at the end of a clause.
+Phrase with_json(const std::string& json);
+/// ", such as JSON".
+Phrase such_as_json(const std::string& json);
 /// Each in quotation marks.
 std::vector<Phrase> quoted(const std::vector<std::string>& names);
 std::vector<Phrase> key_names(const std::vector<std::string>& keys);

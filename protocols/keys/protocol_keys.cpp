@@ -117,7 +117,7 @@ constexpr KeyTableOf<std::string> kAuthorTable =
 // Until 0.3.0 a protocol could state instructions that participants did not read.
 constexpr std::array<RemovedKey, 1> kRemoved{{RemovedKey{
     "instructions",
-    "participants read the screens of the flow: write the instructions there, as {\"screen\": …} "
+    "participants read the screens of the flow: write the instructions there, on a screen "
     "before the first block, and remove this key"}}};
 
 constexpr KeyTableOf<Protocol> kProtocolTable = with_removed_keys(

@@ -34,7 +34,11 @@ struct FormWords {
   Q_DECLARE_TR_FUNCTIONS(FormWords)
 };
 
-QString in_quotes_of_form(const QString& label) { return FormWords::tr("“%1”").arg(label); }
+/// A label that is a quotation has its own.
+QString in_quotes_of_form(const QString& label) {
+  const bool is_quoted = QStringLiteral("\"“„").contains(label.left(1));
+  return is_quoted ? label : FormWords::tr("“%1”").arg(label);
+}
 
 /// The label of a key: that of the innermost object that has such a key, or else the only one that any object has. Empty where there
 /// is none.
@@ -105,6 +109,7 @@ QString sentence(const nlohmann::json& protocol, const Diagnostic& remark, Meani
     if (of == kPlacesOfKeys) return in_quotes_of_form(place_in_form(protocol, words)).toStdString();
     if (of == kNumbersOfFile) return number_in_form(number, words, windows);
     if (of == kMeaningsOfKeys && meaning == Meaning::next_to_field) return std::string("%1");
+    if (of == kJsonOfFile) return std::string();
     if (of == kUnitOfNumber) return number ? std::string() : std::string(words);
     const bool has_other_unit = number && !number->display.unit.empty();
     if (of == kUnitsOfFile && has_other_unit) return std::string();

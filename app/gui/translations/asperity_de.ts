@@ -6580,6 +6580,17 @@
     </message>
 </context>
 <context>
+    <name>JsonOfFile</name>
+    <message>
+        <source>, with %1</source>
+        <translation>, mit %1</translation>
+    </message>
+    <message>
+        <source>, such as %1</source>
+        <translation>, zum Beispiel %1</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Scales</source>
@@ -9986,10 +9997,6 @@
         <translation>ohne Rauschen („ohne“) gibt es keinen Pegel; diese Einstellung entfernen</translation>
     </message>
     <message>
-        <source>participants read the screens of the flow: write the instructions there, as {&quot;screen&quot;: …} before the first block, and remove this key</source>
-        <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, als {&quot;screen&quot;: …} vor dem ersten Block, und diese Einstellung entfernen</translation>
-    </message>
-    <message>
         <source>The translation of a text.</source>
         <translation>Die Übersetzung eines Texts.</translation>
     </message>
@@ -10256,6 +10263,10 @@
     <message>
         <source>oddity task</source>
         <translation>Oddity-Aufgabe</translation>
+    </message>
+    <message>
+        <source>participants read the screens of the flow: write the instructions there, on a screen before the first block, and remove this key</source>
+        <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, auf einen Bildschirm vor dem ersten Block, und diese Einstellung entfernen</translation>
     </message>
 </context>
 <context>
@@ -13161,16 +13172,8 @@
         <translation>eine Prüfung der Drift sendet dem Gerät die Kraft null; diese Einstellung oder %1 entfernen</translation>
     </message>
     <message>
-        <source>%1 needs a %2 that states the duration of the break, such as &quot;pause&quot;: {&quot;minimum_s&quot;: 60, &quot;text&quot;: &quot;Please rest your hand.&quot;}</source>
-        <translation>die Einstellung %1 erfordert die Einstellung %2 mit der Dauer der Pause, zum Beispiel &quot;pause&quot;: {&quot;minimum_s&quot;: 60, &quot;text&quot;: &quot;Bitte ruhen Sie Ihre Hand aus.&quot;}</translation>
-    </message>
-    <message>
         <source>the time of this pause is not stated: add %1</source>
         <translation>der Zeitpunkt dieser Pause ist nicht angegeben: %1 ergänzen</translation>
-    </message>
-    <message>
-        <source>the block %1 is never run; add {&quot;run&quot;: &quot;%2&quot;} to the flow, or remove the block</source>
-        <translation>der Block %1 läuft nie ab; {&quot;run&quot;: &quot;%2&quot;} im Ablauf ergänzen oder den Block entfernen</translation>
     </message>
     <message>
         <source>no block has the phase %1, so that nothing can be practised again; remove this key, or add such a block</source>
@@ -13299,10 +13302,6 @@
     <message>
         <source>the block %1 has a procedure, which needs the response to a trial before the next one; use %2 or %3</source>
         <translation>der Block %1 hat ein Verfahren, das die Antwort auf einen Durchgang vor dem nächsten erfordert; %2 oder %3 verwenden</translation>
-    </message>
-    <message>
-        <source>the method %1 needs levels in equal steps; state the levels as a grid: {&quot;lowest&quot;: …, &quot;highest&quot;: …, &quot;step&quot;: …}</source>
-        <translation>die Methode %1 erfordert Stufen in gleichen Schritten; die Stufen als Raster angeben: {&quot;lowest&quot;: …, &quot;highest&quot;: …, &quot;step&quot;: …}</translation>
     </message>
     <message>
         <source>the method %1 presents a lower level after correct responses, but below the standard lower levels are easier; state levels above the standard, or use %2</source>
@@ -13441,14 +13440,6 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>the question %1 has a condition, and the questions about the participant are asked together, before the session; ask it in the flow, with {&quot;ask&quot;: [%1]}</source>
-        <translation>die Frage %1 hat eine Bedingung, aber die Fragen zur Versuchsperson werden gemeinsam vor der Sitzung gestellt; sie im Ablauf stellen, mit {&quot;ask&quot;: [%1]}</translation>
-    </message>
-    <message>
-        <source>the question %1 is answered by %2, and a question about the participant by one option, a number or a text; ask it in the flow, with {&quot;ask&quot;: [%1]}</source>
-        <translation>die Frage %1 wird durch %2 beantwortet, eine Frage zur Versuchsperson aber durch eine Antwortmöglichkeit, eine Zahl oder einen Text; sie im Ablauf stellen, mit {&quot;ask&quot;: [%1]}</translation>
-    </message>
-    <message>
         <source>the flow does not ask the question %1 before; ask it in an earlier step of the flow, or earlier in the same one</source>
         <translation>im Ablauf wird die Frage %1 vorher nicht gestellt; sie in einem früheren Schritt des Ablaufs oder früher in demselben stellen</translation>
     </message>
@@ -13515,10 +13506,6 @@
     <message>
         <source>a choice needs %1; add this key</source>
         <translation>eine Auswahl erfordert die Einstellung %1; sie ergänzen</translation>
-    </message>
-    <message>
-        <source>a scale needs the key %1, such as &quot;scale&quot;: {&quot;minimum&quot;: 1, &quot;maximum&quot;: 7, &quot;points&quot;: 7}; add this key</source>
-        <translation>eine Skala erfordert die Einstellung %1, zum Beispiel &quot;scale&quot;: {&quot;minimum&quot;: 1, &quot;maximum&quot;: 7, &quot;points&quot;: 7}; sie ergänzen</translation>
     </message>
     <message>
         <source>no number is at least %1 and at most %2; lower the minimum or raise the maximum</source>
@@ -15339,6 +15326,30 @@
     <message>
         <source>%1. Expected here: %2</source>
         <translation>%1. Hier erwartet: %2</translation>
+    </message>
+    <message>
+        <source>%1 needs a %2 that states the duration of the break%3</source>
+        <translation>die Einstellung %1 erfordert die Einstellung %2 mit der Dauer der Pause%3</translation>
+    </message>
+    <message>
+        <source>the block %1 is never run; run it in the flow%2, or remove the block</source>
+        <translation>der Block %1 läuft nie ab; ihn im Ablauf ausführen%2, oder den Block entfernen</translation>
+    </message>
+    <message>
+        <source>the method %1 needs levels in equal steps; state the lowest level, the highest and the step%2</source>
+        <translation>die Methode %1 erfordert Stufen in gleichen Schritten; die niedrigste Stufe, die höchste und die Schrittweite angeben%2</translation>
+    </message>
+    <message>
+        <source>the question %1 has a condition, and the questions about the participant are asked together, before the session; ask it in the flow%2</source>
+        <translation>die Frage %1 hat eine Bedingung, aber die Fragen zur Versuchsperson werden gemeinsam vor der Sitzung gestellt; sie im Ablauf stellen%2</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, and a question about the participant by one option, a number or a text; ask it in the flow%3</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, eine Frage zur Versuchsperson aber durch eine Antwortmöglichkeit, eine Zahl oder einen Text; sie im Ablauf stellen%3</translation>
+    </message>
+    <message>
+        <source>a scale needs the key %1%2; add this key</source>
+        <translation>eine Skala erfordert die Einstellung %1%2; sie ergänzen</translation>
     </message>
 </context>
 <context>

@@ -60,10 +60,10 @@ void check_flow(CheckedDocument& checked) {
           std::pair("break_every_contact_minutes", has_breaks_by_contact)}) {
       if (!is_stated || run->pause) continue;
       checked.report(
-          pointer, phrase("Protocols",
-                          "%1 needs a %2 that states the duration of the break, such as \"pause\": "
-                          "{\"minimum_s\": 60, \"text\": \"Please rest your hand.\"}")
-                       .with(key_name(key), key_name("pause")));
+          pointer, phrase("Protocols", "%1 needs a %2 that states the duration of the break%3")
+                       .with(key_name(key), key_name("pause"),
+                             such_as_json("\"pause\": {\"minimum_s\": 60, \"text\": \"Please rest "
+                                          "your hand.\"}")));
     }
     if (run->pause && run->break_every_trials == 0 && !has_breaks_by_contact &&
         run->for_each.empty()) {
@@ -78,9 +78,8 @@ void check_flow(CheckedDocument& checked) {
       checked.report_key(
           pointer_to("/blocks", name),
           phrase("Protocols",
-                 "the block %1 is never run; add {\"run\": \"%2\"} to the flow, or remove the "
-                 "block")
-              .with(in_quotes(name), name));
+                 "the block %1 is never run; run it in the flow%2, or remove the block")
+              .with(in_quotes(name), with_json("{\"run\": " + in_quotes(name) + "}")));
     }
   }
   const auto is_practised = [&checked](const std::string& name) {

@@ -290,11 +290,12 @@ void check_procedure(CheckedDocument& checked, const Block& block, const std::st
   // A staircase and a posterior need levels in equal steps.
   const bool takes_any_levels = method == constant_stimuli().id || method == external().id;
   if (!takes_any_levels && !block.vary->grid) {
-    checked.report(pointer + "/vary/" + std::string(key_of(block.vary->measure)),
-                   phrase("Protocols",
-                          "the method %1 needs levels in equal steps; state the levels as a grid: "
-                          "{\"lowest\": …, \"highest\": …, \"step\": …}")
-                       .with(word_name(method)));
+    checked.report(
+        pointer + "/vary/" + std::string(key_of(block.vary->measure)),
+        phrase("Protocols",
+               "the method %1 needs levels in equal steps; state the lowest level, the "
+               "highest and the step%2")
+            .with(word_name(method), with_json("{\"lowest\": …, \"highest\": …, \"step\": …}")));
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);

@@ -27,13 +27,14 @@ void check_participant_questions(CheckedDocument& checked) {
       continue;
     }
     const Question& question = found->second;
+    const std::string asked_alone = "{\"ask\": [" + in_quotes(name) + "]}";
     if (question.condition) {
       checked.report(pointer,
                      phrase("Protocols",
                             "the question %1 has a condition, and the questions about the "
                             "participant are asked together, before the session; ask it in the "
-                            "flow, with {\"ask\": [%1]}")
-                         .with(in_quotes(name)));
+                            "flow%2")
+                         .with(in_quotes(name), with_json(asked_alone)));
     }
     const bool has_field = question.is_answered_by<ChoiceForm>() ||
                            question.is_answered_by<NumberForm>() ||
@@ -43,8 +44,8 @@ void check_participant_questions(CheckedDocument& checked) {
           pointer,
           phrase("Protocols",
                  "the question %1 is answered by %2, and a question about the participant by one "
-                 "option, a number or a text; ask it in the flow, with {\"ask\": [%1]}")
-              .with(in_quotes(name), description_of(question.form)));
+                 "option, a number or a text; ask it in the flow%3")
+              .with(in_quotes(name), description_of(question.form), with_json(asked_alone)));
     }
   }
 }
@@ -208,10 +209,10 @@ void check_form(CheckedDocument& checked, const Question& question, const std::s
                        .with(key_name("options")));
   }
   if (stated == ScaleForm::kName && !object.contains("scale")) {
-    checked.report(pointer, phrase("Protocols",
-                                   "a scale needs the key %1, such as \"scale\": {\"minimum\": 1, "
-                                   "\"maximum\": 7, \"points\": 7}; add this key")
-                                .with(key_name("scale")));
+    checked.report(pointer, phrase("Protocols", "a scale needs the key %1%2; add this key")
+                                .with(key_name("scale"),
+                                      such_as_json("\"scale\": {\"minimum\": 1, \"maximum\": 7, "
+                                                   "\"points\": 7}")));
   } else if (const auto* const scale = std::get_if<ScaleForm>(&question.form)) {
     check_scale_form(checked, *scale, pointer + "/scale");
   }
