@@ -143,7 +143,8 @@ constexpr auto kIntervalRuleKeys =
 
 constexpr auto kStopKeys = keys_of(
     required_key(member_key<&Declaration::Stop::trials>(
-        "trials", "Maximum number of trials", "Maximum number of trials of a track.", kTrialCount)),
+        "trials", "Maximum number of trials of a track", "Maximum number of trials of a track.",
+        kTrialCount)),
     when(member_key<&Declaration::Stop::reversals>("reversals", "Reversals",
                                                    "Up-down: number of reversals.", kTrialCount),
          kAroundUpDown),
@@ -186,10 +187,10 @@ constexpr auto kCatchTrialsKeys = keys_of(
 constexpr std::array<KeyWord, 6> kMethods{
     {{"constant_stimuli", 0, "every level equally often, in random order"},
      {"transformed_up_down", 0,
-      "down after a number of correct responses in succession, up after a number of incorrect "
-      "ones"},
+      "a staircase: down after a number of correct responses in succession, up after a number of "
+      "incorrect ones"},
      {"weighted_up_down", 0,
-      "down after a correct response, up by a larger step after an incorrect one"},
+      "a staircase: down after a correct response, up by a larger step after an incorrect one"},
      {"psi", 0, "the level from which the most is expected about the threshold"},
      {"quest_plus", 0,
       "the level from which the most is expected about threshold, slope and lapse rate"},
@@ -228,12 +229,12 @@ constexpr auto kProcedureKeys = keys_of(
              "Constant stimuli: number of presentations of every level.", kTrialCount),
          where("method", {"constant_stimuli"})),
     when(member_key<&Declaration::down>(
-             "down", "Responses before a move down",
+             "down", "Correct responses before a move down",
              "Transformed up-down: number of correct responses in succession before a move down.",
              kMoves),
          where("method", {"transformed_up_down"})),
     when(member_key<&Declaration::up>(
-             "up", "Responses before a move up",
+             "up", "Incorrect responses before a move up",
              "Transformed up-down: number of incorrect responses in succession before a move up.",
              kMoves),
          where("method", {"transformed_up_down"})),

@@ -8517,14 +8517,6 @@
         <translation>jede Stufe gleich oft, in zufälliger Reihenfolge</translation>
     </message>
     <message>
-        <source>down after a number of correct responses in succession, up after a number of incorrect ones</source>
-        <translation>abwärts nach einer Anzahl richtiger Antworten in Folge, aufwärts nach einer Anzahl falscher</translation>
-    </message>
-    <message>
-        <source>down after a correct response, up by a larger step after an incorrect one</source>
-        <translation>abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen</translation>
-    </message>
-    <message>
         <source>the level from which the most is expected about the threshold</source>
         <translation>die Stufe, die am meisten über die Schwelle erwarten lässt</translation>
     </message>
@@ -8573,16 +8565,8 @@
         <translation>Konstante Reize: Anzahl der Darbietungen jeder Stufe.</translation>
     </message>
     <message>
-        <source>Responses before a move down</source>
-        <translation>Antworten je Abwärtsschritt</translation>
-    </message>
-    <message>
         <source>Transformed up-down: number of correct responses in succession before a move down.</source>
         <translation>Transformiertes Up-down-Verfahren: Anzahl richtiger Antworten in Folge vor einem Schritt abwärts.</translation>
-    </message>
-    <message>
-        <source>Responses before a move up</source>
-        <translation>Antworten je Aufwärtsschritt</translation>
     </message>
     <message>
         <source>Transformed up-down: number of incorrect responses in succession before a move up.</source>
@@ -10267,6 +10251,26 @@
     <message>
         <source>participants read the screens of the flow: write the instructions there, on a screen before the first block, and remove this key</source>
         <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, auf einen Bildschirm vor dem ersten Block, und diese Einstellung entfernen</translation>
+    </message>
+    <message>
+        <source>Maximum number of trials of a track</source>
+        <translation>Höchstzahl der Durchgänge eines Tracks</translation>
+    </message>
+    <message>
+        <source>a staircase: down after a number of correct responses in succession, up after a number of incorrect ones</source>
+        <translation>ein Treppenverfahren: abwärts nach einer Anzahl richtiger Antworten in Folge, aufwärts nach einer Anzahl falscher</translation>
+    </message>
+    <message>
+        <source>a staircase: down after a correct response, up by a larger step after an incorrect one</source>
+        <translation>ein Treppenverfahren: abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen</translation>
+    </message>
+    <message>
+        <source>Correct responses before a move down</source>
+        <translation>Richtige Antworten je Abwärtsschritt</translation>
+    </message>
+    <message>
+        <source>Incorrect responses before a move up</source>
+        <translation>Falsche Antworten je Aufwärtsschritt</translation>
     </message>
 </context>
 <context>
