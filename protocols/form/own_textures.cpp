@@ -150,7 +150,7 @@ std::vector<std::string> texture_factors(const json& root) {
 }
 
 /// With orders and criteria that blocks can have with `textures` levels in place of `before`, which are more. One level always
-/// follows itself; levels in turn have the distance of their number; and a criterion needs its trials.
+/// follows itself; at a distance of their number, levels would only follow in turn; and a criterion needs its trials.
 std::string with_possible_orders(std::string text, std::size_t textures, std::size_t before) {
   const json root = json::parse(text);
   const auto set = [&text](const json::json_pointer& place, const json& value) {
@@ -166,10 +166,11 @@ std::string with_possible_orders(std::string text, std::size_t textures, std::si
         const json::json_pointer own = json::json_pointer("") / order / factor;
         if (!block.contains(own)) continue;
         const bool is_distance = order == std::string_view("minimum_distance");
-        if (textures == 1) {
+        const std::size_t farthest = textures - 1;  // that leaves a choice
+        if (textures == 1 || (is_distance && farthest == 1)) {
           remove(block.at(order).size() == 1 ? place / order : place / order / factor);
-        } else if (is_distance && block.at(own) > textures) {
-          set(place / order / factor, textures);
+        } else if (is_distance && block.at(own) > farthest) {
+          set(place / order / factor, farthest);
         }
       }
       const json& crossed = member(block, "crossed");

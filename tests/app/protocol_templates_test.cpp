@@ -291,12 +291,15 @@ TEST_F(ProtocolFromTemplate, IsValidWithThreeTexturesOfTheStudy) {
 }
 
 TEST_F(ProtocolFromTemplate, HasNoOrderThatFewTexturesCannotHave) {
-  for (const char* const name : {"a", "b"}) add_relief(name);
-  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b"});
+  for (const char* const name : {"a", "b", "c"}) add_relief(name);
+  const std::vector<OwnTexture> all = named(reliefs_of_study(study_), {"a", "b", "c"});
+  const std::vector<OwnTexture> own{all[0], all[1]};
   const auto block = [](const TemplateChoice& choice, const char* name) {
     return nlohmann::json::parse(text_from_template(choice))["blocks"][name];
   };
-  EXPECT_EQ(block(with(own, "semantic_differential"), "ratings")["minimum_distance"]["texture"], 2);
+  EXPECT_EQ(block(with(all, "semantic_differential"), "ratings")["minimum_distance"]["texture"], 2)
+      << "at a distance of 3 the same order would be repeated";
+  EXPECT_FALSE(block(with(own, "semantic_differential"), "ratings").contains("minimum_distance"));
   EXPECT_FALSE(block(with({own[0]}, "improved_selection"), "main").contains("maximum_in_a_row"));
   EXPECT_EQ(block(with(own, "improved_recognition"), "practice")["repetitions"], 18)
       << "as many trials for the criterion as six textures have";
