@@ -239,10 +239,9 @@ TEST(Simulate, WarnsAsCheckDoesOfSessionsWithAnotherTextOfTheVersion) {
   protocol["title"] = "Another title";
   write_text(small.selection(), protocol.dump(2));
   const auto warns = testing::HasSubstr(
-      "warning: the study has 2 sessions of small_selection 1.0.0 with another text of the "
-      "protocol; their responses would be analysed together with new ones; give the changed "
-      "protocol "
-      "a new version (/version)");
+      "warning: the study has 2 sessions of virtual participants with another text of "
+      "small_selection 1.0.0; their responses would be analysed together with new ones; remove the "
+      "virtual participants, or give the changed protocol a new version (/version)");
   const Outcome checked = asperity(check);
   EXPECT_EQ(checked.status, 0);
   EXPECT_THAT(checked.err, warns);

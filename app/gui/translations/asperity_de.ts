@@ -15355,6 +15355,10 @@
         <source>a scale needs the key %1%2; add this key</source>
         <translation>eine Skala erfordert die Einstellung %1%2; sie ergänzen</translation>
     </message>
+    <message>
+        <source>the study has %1 of virtual participants with another text of %2; their responses would be analysed together with new ones; remove the virtual participants, or give the changed protocol a new version</source>
+        <translation>die Studie hat %1 virtueller Versuchspersonen mit einem anderen Text von %2; ihre Antworten würden zusammen mit neuen ausgewertet; die virtuellen Versuchspersonen entfernen oder dem geänderten Protokoll eine neue Version geben</translation>
+    </message>
 </context>
 <context>
     <name>Reasons</name>

@@ -49,15 +49,22 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study) {
   const auto use = other_text_of_version(study, protocol.source, SessionsOf::everybody);
   if (!use) return {};
+  const bool is_of_people =
+      other_text_of_version(study, protocol.source, SessionsOf::people).has_value();
   const Phrase sessions =
       (use->sessions == 1 ? phrase("Protocols", "%1 session") : phrase("Protocols", "%1 sessions"))
           .with(std::to_string(use->sessions));
   return JsonDocument(protocol.source, file_name)
       .at_key("/version",
-              phrase("Protocols",
-                     "the study has %1 of %2 with another text of the protocol; their responses "
-                     "would be analysed together with new ones; give the changed protocol a new "
-                     "version")
+              (is_of_people
+                   ? phrase("Protocols",
+                            "the study has %1 of %2 with another text of the protocol; their "
+                            "responses would be analysed together with new ones; give the changed "
+                            "protocol a new version")
+                   : phrase("Protocols",
+                            "the study has %1 of virtual participants with another text of %2; "
+                            "their responses would be analysed together with new ones; remove the "
+                            "virtual participants, or give the changed protocol a new version"))
                   .with(sessions, protocol.name + ' ' + use->version));
 }
 
