@@ -255,7 +255,9 @@ TexturesOfTemplate textures_of(const LibraryProtocol& protocol) {
   const nlohmann::json parsed = nlohmann::json::parse(protocol.text);
   const nlohmann::json declared = parsed.value("textures", nlohmann::json::object());
   for (const auto& [name, texture] : declared.items()) {
-    if (!is_comment(name)) textures.names.push_back(name);
+    if (is_comment(name)) continue;
+    textures.names.push_back(name);
+    textures.have_pictures = textures.have_pictures || texture.contains("picture");
   }
   const std::set<std::string> files = files_of(protocol.text);
   textures.are_of_demonstration =

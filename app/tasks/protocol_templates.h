@@ -68,10 +68,11 @@ std::string text_in_language(const LibraryProtocol& protocol, const std::string&
 /// names, and when one cannot be written.
 void write_library_protocol(const std::filesystem::path& study, const LibraryProtocol& protocol);
 
-/// The textures of a protocol of the library, and whether all of their files are of the demonstration.
+/// The textures of a protocol of the library.
 struct TexturesOfTemplate {
   std::vector<std::string> names{};
-  bool are_of_demonstration = false;
+  bool have_pictures = false;         ///< some of them
+  bool are_of_demonstration = false;  ///< all of their files
 };
 TexturesOfTemplate textures_of(const LibraryProtocol& protocol);
 

@@ -293,14 +293,17 @@ void TemplateDialog::show_chosen() {
   choose_textures();
 }
 
-/// `cost`: of the protocol that would be created; null while that is not known.
-void TemplateDialog::show_facts(const PlanCost* cost) {
+/// "20 trials, about 12 min".
+QString TemplateDialog::text_of_cost(const PlanCost& cost) {
+  return tr("%n trial(s), about %1", nullptr, cost.trials).arg(text_of_duration(cost.total_s));
+}
+
+/// The method and the name. The cost is that of the template where no textures are chosen; otherwise the line below them states it,
+/// so that nothing above them moves while they are ticked.
+void TemplateDialog::show_facts(bool has_choice) {
   const TemplateOverview& overview = *chosen();
   QStringList facts{text_of_kind(overview.protocols.front().kind)};
-  if (cost != nullptr) {
-    facts << tr("%n trial(s)", nullptr, cost->trials)
-          << tr("about %1").arg(text_of_duration(cost->total_s));
-  }
+  if (!has_choice) facts << text_of_cost(overview.cost);
   facts << text(overview.name);
   facts_->setText(facts.join(" · "));
 }
@@ -329,16 +332,22 @@ void TemplateDialog::show_texts() {
   show_screens(protocol);
 }
 
-/// Ticks as many textures of the study as the template has, and chooses these or the template's: the first with which the
+/// Ticks as many textures of the study as the template has, with pictures where those of the template have some, and chooses these or the template's: the first with which the
 /// protocol is valid. Until that is known none is chosen.
 void TemplateDialog::choose_textures() {
   const TemplateOverview* const overview = chosen();
   std::vector<TemplateTextures> possible{};
   if (overview != nullptr && !overview->textures.names.empty()) {
     const QSignalBlocker quiet_reliefs(reliefs_);
-    const auto count = static_cast<int>(overview->textures.names.size());
-    for (int i = 0; i < reliefs_->count(); ++i) {
-      reliefs_->item(i)->setCheckState(i < count ? Qt::Checked : Qt::Unchecked);
+    std::vector<QListWidgetItem*> items{};
+    for (int i = 0; i < reliefs_->count(); ++i) items.push_back(reliefs_->item(i));
+    if (overview->textures.have_pictures) {
+      std::ranges::stable_partition(
+          items, [this](const auto* item) { return !relief_of(*item).picture.empty(); });
+    }
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const bool is_needed = i < overview->textures.names.size();
+      items[i]->setCheckState(is_needed ? Qt::Checked : Qt::Unchecked);
     }
     own_->setEnabled(!content_.reliefs.empty());
     for (QRadioButton* const button : {own_, copied_}) {
@@ -370,7 +379,7 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
   is_checking_ = !possible.empty();
   state_->setVisible(!possible.empty());
   show_what_follows();
-  if (chosen() != nullptr) show_facts(possible.empty() ? &chosen()->cost : nullptr);
+  if (chosen() != nullptr) show_facts(!chosen()->textures.names.empty());
   if (possible.empty()) return;
   state_->set_state(State::unknown, tr("Checking…"));
   std::vector<TemplateChoice> choices{};
@@ -416,16 +425,20 @@ void TemplateDialog::take(const Checked& checked) {
     const QSignalBlocker quiet_copied(copied_);
     button->setChecked(true);
   }
-  show_facts(checked.check.protocol ? &checked.check.cost : nullptr);
   is_checking_ = false;
   is_refused_ = !checked.refusal.empty();
   const std::vector<Diagnostic>& problems = checked.check.diagnostics;
+  // The textures of the template are not in the study yet, and the first screen of it is shown already.
+  const bool is_own = checked.choice.textures.from == TemplateTextures::From::study;
+  if (is_own && checked.check.protocol) show_screens(*checked.check.protocol);
   if (is_refused_) {
     state_->set_state(
         State::stop,
         tr("With these textures no protocol can be created: %1").arg(text(checked.refusal)));
   } else if (problems.empty()) {
-    state_->set_state(State::fine, tr("With these textures the protocol is valid."));
+    state_->set_state(
+        State::fine,
+        tr("With these textures the protocol is valid: %1.").arg(text_of_cost(checked.check.cost)));
   } else {
     const QString& what = checked.problem;
     state_->set_state(State::look,
@@ -459,12 +472,16 @@ TemplateTextures TemplateDialog::textures() const {
   return {.from = From::study, .own = ticked()};
 }
 
+const OwnTexture& TemplateDialog::relief_of(const QListWidgetItem& item) const {
+  return content_.reliefs[item.data(Qt::UserRole).toULongLong()];
+}
+
 std::vector<OwnTexture> TemplateDialog::ticked() const {
   std::vector<OwnTexture> own{};
   for (int i = 0; i < reliefs_->count(); ++i) {
     const QListWidgetItem& item = *reliefs_->item(i);
     if (item.checkState() != Qt::Checked) continue;
-    own.push_back(content_.reliefs[item.data(Qt::UserRole).toULongLong()]);
+    own.push_back(relief_of(item));
   }
   return own;
 }

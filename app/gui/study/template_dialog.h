@@ -19,6 +19,7 @@
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 class QRadioButton;
 
@@ -62,7 +63,8 @@ class TemplateDialog final : public QDialog {
   void show_chosen();
   void offer_languages(const TemplateOverview& overview);
   void show_texts();
-  void show_facts(const PlanCost* cost);
+  static QString text_of_cost(const PlanCost& cost);
+  void show_facts(bool has_choice);
   void show_screens(const Protocol& protocol);
   void choose_textures();
   void check_chosen();
@@ -72,6 +74,7 @@ class TemplateDialog final : public QDialog {
   const TemplateOverview* chosen() const;
   TemplateChoice choice_of(const TemplateTextures& textures) const;
   TemplateTextures textures() const;
+  const OwnTexture& relief_of(const QListWidgetItem& item) const;
   std::vector<OwnTexture> ticked() const;
 
   std::filesystem::path study_{};

@@ -24873,17 +24873,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Texturen dieser Studie</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s)</source>
-        <translation>
-            <numerusform>%n Durchgang</numerusform>
-            <numerusform>%n Durchgänge</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>about %1</source>
-        <translation>etwa %1</translation>
-    </message>
-    <message numerus="yes">
         <source>This template compares %n texture(s).</source>
         <translation>
             <numerusform>Diese Vorlage vergleicht %n Textur.</numerusform>
@@ -24935,10 +24924,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Mit diesen Texturen lässt sich kein Protokoll erstellen: %1</translation>
     </message>
     <message>
-        <source>With these textures the protocol is valid.</source>
-        <translation>Mit diesen Texturen ist das Protokoll gültig.</translation>
-    </message>
-    <message>
         <source>With these textures the protocol has a problem: %1</source>
         <translation>Mit diesen Texturen hat das Protokoll ein Problem: %1</translation>
     </message>
@@ -24961,6 +24946,17 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), about %1</source>
+        <translation>
+            <numerusform>%n Durchgang, etwa %1</numerusform>
+            <numerusform>%n Durchgänge, etwa %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With these textures the protocol is valid: %1.</source>
+        <translation>Mit diesen Texturen ist das Protokoll gültig: %1.</translation>
     </message>
 </context>
 <context>

@@ -170,17 +170,17 @@
 <context>
     <name>asperity::TemplateDialog</name>
     <message numerus="yes">
-        <source>%n trial(s)</source>
-        <translation>
-            <numerusform>%n trial</numerusform>
-            <numerusform>%n trials</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>This template compares %n texture(s).</source>
         <translation>
             <numerusform>This template compares %n texture.</numerusform>
             <numerusform>This template compares %n textures.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), about %1</source>
+        <translation>
+            <numerusform>%n trial, about %1</numerusform>
+            <numerusform>%n trials, about %1</numerusform>
         </translation>
     </message>
 </context>
