@@ -148,6 +148,7 @@ TEST_F(ComparedGroups, DifferByTheirParticipantsMeans) {
 TEST_F(ComparedGroups, AreConfirmatoryWhereTheProtocolDeclaresThem) {
   add("recognition", grouped_source(R"("haptic", "visual")", R"({"family": ["groups"]})"),
       kTwoGroups);
+  EXPECT_EQ(outcome_.questions.front().name, "groups") << "the main question";
   EXPECT_THAT(answer("groups"), StartsWith("Yes: the mean proportion correct is 88 %"));
   EXPECT_THAT(answer("groups"), HasSubstr("p = .029, the only test of its family"));
   EXPECT_THAT(sentences(),

@@ -221,6 +221,7 @@ Gathering& gathering_of(Gatherings& groups, const ProtocolRow& of, AnswerGroup g
   Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
   gathering.gathered.protocol = of.name;
   gathering.gathered.version = of.version;
+  gathering.gathered.title = specified.protocol.title;
   gathering.gathered.kind = kind;
   gathering.gathered.design = of.design;
   gathering.gathered.group = group;

@@ -185,6 +185,7 @@ struct ParticipantMatch {
 struct GatheredAnswers {
   std::string protocol{};
   std::string version{};
+  std::string title{};
   std::string kind{};  ///< of the questions that are answered
   std::string design{};
   /// The questions of this kind in main blocks, each name once, in the order of the protocol.

@@ -110,6 +110,8 @@ enum class FamilyDeclaration {
 struct AnalysisOutcome {
   std::string protocol{};
   std::string version{};
+  std::string
+      title{};  ///< of the protocol, as the session stores it that is read last; can be empty
   std::string kind{};
   std::string design{};
   AnswerGroup group = AnswerGroup::people;

@@ -108,6 +108,10 @@ std::vector<RatedScale> rated_scales(const GatheredAnswers& gathered) {
     if (form.points > 0) scale.points = form.points;
     scale.minimum = form.minimum;
     scale.maximum = form.maximum;
+    if (!form.labels.empty()) {
+      scale.low_label = form.labels.front();
+      scale.high_label = form.labels.back();
+    }
     std::set<std::string> items{};
     for (const GatheredAnswer* const answer : found->second) {
       items.insert(rated_item(gathered, *answer));

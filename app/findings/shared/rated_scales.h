@@ -24,6 +24,8 @@ struct RatedScale {
   std::optional<double> points{};  ///< nothing for a line without points
   double minimum = 0.0;
   double maximum = 0.0;
+  std::string low_label{};   ///< of the minimum; empty: none
+  std::string high_label{};  ///< of the maximum
   struct Response {
     std::uint32_t person = 0;
     std::string item{};

@@ -214,6 +214,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     AnalysisOutcome& outcome = outcomes.emplace_back();
     outcome.protocol = gathered.protocol;
     outcome.version = gathered.version;
+    outcome.title = gathered.title;
     outcome.kind = gathered.kind;
     outcome.design = gathered.design;
     outcome.group = gathered.group;
@@ -232,6 +233,16 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
           phrase("Analysis", "There are no responses yet; run a session first."));
     } else if (const StudyAnalysis* const analysis = find_analysis(gathered.kind)) {
       analysis->analyze(gathered, outcome);
+      // The main question of a study whose declared tests all compare groups.
+      const bool compares_groups =
+          !family.empty() && std::ranges::all_of(family, [](const std::string& test) {
+            return test == kGroupsTest || test == kGroupProfilesTest;
+          });
+      if (compares_groups) {
+        std::ranges::stable_partition(outcome.questions, [](const AnsweredQuestion& question) {
+          return question.name.starts_with("group");
+        });
+      }
       // Only next to results.
       if (!outcome.tables.empty()) {
         if (repetitions_are_textures(gathered)) {

@@ -2728,10 +2728,6 @@
         <translation>%1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
     </message>
     <message>
-        <source>the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
-        <translation>Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
-    </message>
-    <message>
         <source>on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
@@ -2910,6 +2906,14 @@
     <message>
         <source>The same test as for the models, with positions in their place.</source>
         <translation>Derselbe Test wie bei den Modellen, mit Positionen an deren Stelle.</translation>
+    </message>
+    <message>
+        <source>, from %1 (“%2”) to %3 (“%4”),</source>
+        <translation>, von %1 („%2“) bis %3 („%4“),</translation>
+    </message>
+    <message>
+        <source>the mean rating%6 is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
+        <translation>Das mittlere Urteil%6 ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
     </message>
 </context>
 <context>

@@ -178,6 +178,14 @@ void add_untested_scale(const RatedScale& scale, StudyTests& tests) {
   tests.add_untested("ratings", scale.name, "one_item");
 }
 
+/// Which end is high: the name of a scale need not be that of its maximum.
+Phrase text_of_ends(const RatedScale& scale) {
+  if (scale.low_label.empty() || scale.high_label.empty()) return {};
+  return phrase("Analysis", ", from %1 (“%2”) to %3 (“%4”),")
+      .with(display_number(scale.minimum), scale.low_label, display_number(scale.maximum),
+            scale.high_label);
+}
+
 void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTests& tests,
                AnalysisOutcome& outcome) {
   std::vector<std::pair<const Finding*, std::string>> means{};
@@ -208,9 +216,10 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
       {.numbers =
            phrase(
                "Analysis",
-               "the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.")
+               "the mean rating%6 is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.")
                .with(words_of_condition(high->second), rating_text(*high->first),
-                     words_of_condition(low->second), rating_text(*low->first), p_text(*test)),
+                     words_of_condition(low->second), rating_text(*low->first), p_text(*test),
+                     text_of_ends(scale)),
        .compares = true});
   add_question(outcome, name.c_str(), question, said_of(*test, statements), method, kRatings,
                high->first);
