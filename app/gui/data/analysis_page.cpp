@@ -272,14 +272,15 @@ void AnalysisPage::show_analysis(Analysis analysis) {
   list_->clear();
   for (const AnalysisOutcome& outcome : outcomes_) {
     const QString responses = answers_text(static_cast<int>(outcome.answers));
-    auto* item = new QListWidgetItem(
-        tr("%1 %2\n%3 · %4")
-            .arg(QString::fromStdString(outcome.protocol), QString::fromStdString(outcome.version),
-                 group_text(outcome.group),
-                 is_one_of_several_kinds(outcome, outcomes_)
-                     ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
-                     : responses),
-        list_);
+    auto* item =
+        new QListWidgetItem(tr("%1\n%2 %3\n%4 · %5")
+                                .arg(text(outcome.title), text(outcome.protocol),
+                                     text(outcome.version), group_text(outcome.group),
+                                     is_one_of_several_kinds(outcome, outcomes_)
+                                         ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
+                                         : responses)
+                                .trimmed(),  // of a protocol without a title
+                            list_);
     item->setToolTip(item->text());  // a long name is elided
   }
   stack_->setCurrentWidget(outcomes_.empty() ? none_ : both_);

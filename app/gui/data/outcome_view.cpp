@@ -107,13 +107,15 @@ class OutcomeColumn final {
 
   /// Who answered, and what is to be known before a number is believed.
   void about() {
-    layout_->addWidget(
-        make_text(OutcomeText::tr("%1 %2 · %3 · %4 counted")
-                      .arg(QString::fromStdString(outcome_.protocol),
-                           QString::fromStdString(outcome_.version),
-                           people_text(static_cast<int>(outcome_.count.participants)),
-                           answers_text(static_cast<int>(outcome_.answers))),
-                  page_, true));
+    QStringList facts{OutcomeText::tr("%1 %2 · %3 · %4 counted")
+                          .arg(text(outcome_.protocol), text(outcome_.version),
+                               people_text(static_cast<int>(outcome_.count.participants)),
+                               answers_text(static_cast<int>(outcome_.answers)))};
+    if (outcome_.questions.size() > 1) {
+      facts << OutcomeText::tr("the first of %1 questions; the others are below")
+                   .arg(outcome_.questions.size());
+    }
+    layout_->addWidget(make_text(facts.join(" · "), page_, true));
     for (const Phrase& remark : outcome_.remarks) {
       auto* line = new StateLabel(page_);
       line->set_state(State::look, sentences_as_published(remark));

@@ -18788,12 +18788,6 @@
         <translation>Die Ergebnisse von %1 erscheinen hier, sobald die Antworten gezählt sind. Um die eines anderen Protokolls zu sehen, wählen Sie es aus.</translation>
     </message>
     <message>
-        <source>%1 %2
-%3 · %4</source>
-        <translation>%1 %2
-%3 · %4</translation>
-    </message>
-    <message>
         <source>Blinding during a session</source>
         <translation>Verblindung während einer Sitzung</translation>
     </message>
@@ -18886,6 +18880,18 @@
     <message>
         <source>Show the results</source>
         <translation>Ergebnisse zeigen</translation>
+    </message>
+    <message>
+        <source>%1
+%2 %3
+%4 · %5</source>
+        <translation>%1
+%2 %3
+%4 · %5</translation>
+    </message>
+    <message>
+        <source>the first of %1 questions; the others are below</source>
+        <translation>die erste von %1 Fragen; die anderen stehen darunter</translation>
     </message>
 </context>
 <context>

@@ -588,17 +588,18 @@ TEST(AnalysisPage, KeepsTheChosenExperimentWhenAnotherHasResults) {
   OpenAnalysisPage opened([&first](MadeUpStudy& made) {
     first = made.add_protocol("first", "selection");
     add_choice(made, first, "p01", SessionMode::run);
-    add_choice(made, made.add_protocol("second", "selection"), "p02", SessionMode::run);
+    const std::string source = R"({"title": "Which feels real?"})";
+    add_choice(made, made.add_protocol("second", "selection", source), "p02", SessionMode::run);
   });
   auto& [made, study, page, refreshed] = opened;
   auto* list = page.findChild<QListWidget*>("outcomes");
   list->setCurrentRow(1);
-  ASSERT_TRUE(list->currentItem()->text().startsWith("second"));
+  ASSERT_TRUE(list->currentItem()->text().startsWith("Which feels real?\nsecond"));
   add_choice(made, first, "v01", SessionMode::simulate);
   study.announce_change();
   ASSERT_TRUE(refreshed.wait(kPatience_ms));
   EXPECT_EQ(list->count(), 3);
-  EXPECT_TRUE(list->currentItem()->text().startsWith("second"));
+  EXPECT_TRUE(list->currentItem()->text().contains("second"));
 }
 
 TEST(AnalysisPage, StaysAsItIsUnderADialog) {
