@@ -33,7 +33,7 @@ namespace {
 
 constexpr const char* kLeftPrecision = "precision";
 constexpr const char* kStatedInEditor = "stated in the editor";
-constexpr int kUsualParticipants = 20;
+constexpr int kUsualParticipants = 20;  // of a protocol that plans no number
 constexpr int kMostParticipants = 1000;
 constexpr int kInputPause_ms = 400;  // longer than between two keys
 constexpr std::chrono::milliseconds kPortion{1000};
@@ -87,6 +87,7 @@ QString name_of(const PrecisionOf& result) {
 struct PrecisionView::Design {
   std::vector<Assumption> usual{};
   int round = 1;
+  int planned = 0;  ///< participants; 0: not stated
   QString refusal{};
 };
 
@@ -191,7 +192,8 @@ void PrecisionView::read_design() {
   if (reading_.is_running()) return;
   reading_.run<Design>(
       [protocol = protocol_](const std::stop_token&, const BackgroundTask::Progress&) {
-        Design design{.round = participants_per_round(*protocol)};
+        Design design{.round = participants_per_round(*protocol),
+                      .planned = protocol->planned_participants};
         try {
           design.usual = assumptions_of(*protocol);
         } catch (const std::exception& error) {
@@ -212,8 +214,10 @@ void PrecisionView::show_design(const Design& design) {
     const QSignalBlocker quiet(participants_);
     participants_->setSingleStep(std::max(1, std::min(design.round, kMostParticipants)));
     const int chosen = inputs().participants;
-    participants_->setValue(
-        chosen > 0 ? chosen : static_cast<int>(rounded_up_to_multiple(kUsualParticipants, round)));
+    const int usual = design.planned > 0 ? design.planned : kUsualParticipants;
+    participants_->setValue(chosen > 0 ? chosen
+                                       : static_cast<int>(rounded_up_to_multiple(
+                                             static_cast<std::size_t>(usual), round)));
   }
   round_->setText(design.round > 1 ? tr("rounds of %1").arg(design.round) : QString());
   round_->setToolTip(

@@ -44,8 +44,10 @@ void HealthLine::set_form(SessionForm form) {
   }
 }
 
-void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts* facts) {
-  stored_->setText(tr("study.sqlite · attempts stored: %1").arg(snapshot.rows_stored));
+void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts* facts,
+                             bool only_tried) {
+  stored_->setText(only_tried ? tr("nothing is stored in the study")
+                              : tr("study.sqlite · attempts stored: %1").arg(snapshot.rows_stored));
   const LoopHealth& h = snapshot.health;
   if (h.rate_Hz <= 0.0) {
     return health_->set_state(State::unknown, tr("The servo loop has not run yet"));

@@ -19,7 +19,8 @@ class HealthLine final : public QWidget {
  public:
   explicit HealthLine(QWidget* parent = nullptr);
   /// `facts` may be null.
-  void show_health(const SessionSnapshot& snapshot, const SessionFacts* facts);
+  /// `only_tried`: a trial with the mouse, of which nothing is stored.
+  void show_health(const SessionSnapshot& snapshot, const SessionFacts* facts, bool only_tried);
   /// In two lines where one is too short.
   void set_form(SessionForm form);
 

@@ -179,6 +179,6 @@ void SessionWindow::write_tracks() {
       running_tracks(*facts_->protocol, *facts_->plan, *shown_.attempts, latest_block_));
 }
 
-void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }
+void SessionWindow::write_health() { health_->show_health(shown_, facts_.get(), only_tried_); }
 
 }  // namespace asperity

@@ -2728,6 +2728,10 @@
         <translation>%1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
     </message>
     <message>
+        <source>the mean rating%6 is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
+        <translation>Das mittlere Urteil%6 ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
+    </message>
+    <message>
         <source>on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
         <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
@@ -2910,10 +2914,6 @@
     <message>
         <source>, from %1 (“%2”) to %3 (“%4”),</source>
         <translation>, von %1 („%2“) bis %3 („%4“),</translation>
-    </message>
-    <message>
-        <source>the mean rating%6 is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
-        <translation>Das mittlere Urteil%6 ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
     </message>
 </context>
 <context>
@@ -8521,6 +8521,14 @@
         <translation>jede Stufe gleich oft, in zufälliger Reihenfolge</translation>
     </message>
     <message>
+        <source>a staircase: down after a number of correct responses in succession, up after a number of incorrect ones</source>
+        <translation>ein Treppenverfahren: abwärts nach einer Anzahl richtiger Antworten in Folge, aufwärts nach einer Anzahl falscher</translation>
+    </message>
+    <message>
+        <source>a staircase: down after a correct response, up by a larger step after an incorrect one</source>
+        <translation>ein Treppenverfahren: abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen</translation>
+    </message>
+    <message>
         <source>the level from which the most is expected about the threshold</source>
         <translation>die Stufe, die am meisten über die Schwelle erwarten lässt</translation>
     </message>
@@ -8569,8 +8577,16 @@
         <translation>Konstante Reize: Anzahl der Darbietungen jeder Stufe.</translation>
     </message>
     <message>
+        <source>Correct responses before a move down</source>
+        <translation>Richtige Antworten je Abwärtsschritt</translation>
+    </message>
+    <message>
         <source>Transformed up-down: number of correct responses in succession before a move down.</source>
         <translation>Transformiertes Up-down-Verfahren: Anzahl richtiger Antworten in Folge vor einem Schritt abwärts.</translation>
+    </message>
+    <message>
+        <source>Incorrect responses before a move up</source>
+        <translation>Falsche Antworten je Aufwärtsschritt</translation>
     </message>
     <message>
         <source>Transformed up-down: number of incorrect responses in succession before a move up.</source>
@@ -9985,6 +10001,10 @@
         <translation>ohne Rauschen („ohne“) gibt es keinen Pegel; diese Einstellung entfernen</translation>
     </message>
     <message>
+        <source>participants read the screens of the flow: write the instructions there, on a screen before the first block, and remove this key</source>
+        <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, auf einen Bildschirm vor dem ersten Block, und diese Einstellung entfernen</translation>
+    </message>
+    <message>
         <source>The translation of a text.</source>
         <translation>Die Übersetzung eines Texts.</translation>
     </message>
@@ -10253,28 +10273,8 @@
         <translation>Oddity-Aufgabe</translation>
     </message>
     <message>
-        <source>participants read the screens of the flow: write the instructions there, on a screen before the first block, and remove this key</source>
-        <translation>Versuchspersonen lesen die Texte des Ablaufs: die Anweisungen dort schreiben, auf einen Bildschirm vor dem ersten Block, und diese Einstellung entfernen</translation>
-    </message>
-    <message>
         <source>Maximum number of trials of a track</source>
         <translation>Höchstzahl der Durchgänge eines Tracks</translation>
-    </message>
-    <message>
-        <source>a staircase: down after a number of correct responses in succession, up after a number of incorrect ones</source>
-        <translation>ein Treppenverfahren: abwärts nach einer Anzahl richtiger Antworten in Folge, aufwärts nach einer Anzahl falscher</translation>
-    </message>
-    <message>
-        <source>a staircase: down after a correct response, up by a larger step after an incorrect one</source>
-        <translation>ein Treppenverfahren: abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen</translation>
-    </message>
-    <message>
-        <source>Correct responses before a move down</source>
-        <translation>Richtige Antworten je Abwärtsschritt</translation>
-    </message>
-    <message>
-        <source>Incorrect responses before a move up</source>
-        <translation>Falsche Antworten je Aufwärtsschritt</translation>
     </message>
 </context>
 <context>
@@ -13180,8 +13180,16 @@
         <translation>eine Prüfung der Drift sendet dem Gerät die Kraft null; diese Einstellung oder %1 entfernen</translation>
     </message>
     <message>
+        <source>%1 needs a %2 that states the duration of the break%3</source>
+        <translation>die Einstellung %1 erfordert die Einstellung %2 mit der Dauer der Pause%3</translation>
+    </message>
+    <message>
         <source>the time of this pause is not stated: add %1</source>
         <translation>der Zeitpunkt dieser Pause ist nicht angegeben: %1 ergänzen</translation>
+    </message>
+    <message>
+        <source>the block %1 is never run; run it in the flow%2, or remove the block</source>
+        <translation>der Block %1 läuft nie ab; ihn im Ablauf ausführen%2, oder den Block entfernen</translation>
     </message>
     <message>
         <source>no block has the phase %1, so that nothing can be practised again; remove this key, or add such a block</source>
@@ -13310,6 +13318,10 @@
     <message>
         <source>the block %1 has a procedure, which needs the response to a trial before the next one; use %2 or %3</source>
         <translation>der Block %1 hat ein Verfahren, das die Antwort auf einen Durchgang vor dem nächsten erfordert; %2 oder %3 verwenden</translation>
+    </message>
+    <message>
+        <source>the method %1 needs levels in equal steps; state the lowest level, the highest and the step%2</source>
+        <translation>die Methode %1 erfordert Stufen in gleichen Schritten; die niedrigste Stufe, die höchste und die Schrittweite angeben%2</translation>
     </message>
     <message>
         <source>the method %1 presents a lower level after correct responses, but below the standard lower levels are easier; state levels above the standard, or use %2</source>
@@ -13448,6 +13460,14 @@
         <translation>keine</translation>
     </message>
     <message>
+        <source>the question %1 has a condition, and the questions about the participant are asked together, before the session; ask it in the flow%2</source>
+        <translation>die Frage %1 hat eine Bedingung, aber die Fragen zur Versuchsperson werden gemeinsam vor der Sitzung gestellt; sie im Ablauf stellen%2</translation>
+    </message>
+    <message>
+        <source>the question %1 is answered by %2, and a question about the participant by one option, a number or a text; ask it in the flow%3</source>
+        <translation>die Frage %1 wird durch %2 beantwortet, eine Frage zur Versuchsperson aber durch eine Antwortmöglichkeit, eine Zahl oder einen Text; sie im Ablauf stellen%3</translation>
+    </message>
+    <message>
         <source>the flow does not ask the question %1 before; ask it in an earlier step of the flow, or earlier in the same one</source>
         <translation>im Ablauf wird die Frage %1 vorher nicht gestellt; sie in einem früheren Schritt des Ablaufs oder früher in demselben stellen</translation>
     </message>
@@ -13514,6 +13534,10 @@
     <message>
         <source>a choice needs %1; add this key</source>
         <translation>eine Auswahl erfordert die Einstellung %1; sie ergänzen</translation>
+    </message>
+    <message>
+        <source>a scale needs the key %1%2; add this key</source>
+        <translation>eine Skala erfordert die Einstellung %1%2; sie ergänzen</translation>
     </message>
     <message>
         <source>no number is at least %1 and at most %2; lower the minimum or raise the maximum</source>
@@ -15334,30 +15358,6 @@
     <message>
         <source>%1. Expected here: %2</source>
         <translation>%1. Hier erwartet: %2</translation>
-    </message>
-    <message>
-        <source>%1 needs a %2 that states the duration of the break%3</source>
-        <translation>die Einstellung %1 erfordert die Einstellung %2 mit der Dauer der Pause%3</translation>
-    </message>
-    <message>
-        <source>the block %1 is never run; run it in the flow%2, or remove the block</source>
-        <translation>der Block %1 läuft nie ab; ihn im Ablauf ausführen%2, oder den Block entfernen</translation>
-    </message>
-    <message>
-        <source>the method %1 needs levels in equal steps; state the lowest level, the highest and the step%2</source>
-        <translation>die Methode %1 erfordert Stufen in gleichen Schritten; die niedrigste Stufe, die höchste und die Schrittweite angeben%2</translation>
-    </message>
-    <message>
-        <source>the question %1 has a condition, and the questions about the participant are asked together, before the session; ask it in the flow%2</source>
-        <translation>die Frage %1 hat eine Bedingung, aber die Fragen zur Versuchsperson werden gemeinsam vor der Sitzung gestellt; sie im Ablauf stellen%2</translation>
-    </message>
-    <message>
-        <source>the question %1 is answered by %2, and a question about the participant by one option, a number or a text; ask it in the flow%3</source>
-        <translation>die Frage %1 wird durch %2 beantwortet, eine Frage zur Versuchsperson aber durch eine Antwortmöglichkeit, eine Zahl oder einen Text; sie im Ablauf stellen%3</translation>
-    </message>
-    <message>
-        <source>a scale needs the key %1%2; add this key</source>
-        <translation>eine Skala erfordert die Einstellung %1%2; sie ergänzen</translation>
     </message>
     <message>
         <source>the study has %1 of virtual participants with another text of %2; their responses would be analysed together with new ones; remove the virtual participants, or give the changed protocol a new version</source>
@@ -20531,6 +20531,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>the probe is inside the surface: no force until it has left the surface</source>
         <translation>die Sonde ist in der Oberfläche: keine Kraft, bis sie die Oberfläche verlassen hat</translation>
+    </message>
+    <message>
+        <source>nothing is stored in the study</source>
+        <translation>in der Studie wird nichts gespeichert</translation>
     </message>
 </context>
 <context>

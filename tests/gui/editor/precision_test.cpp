@@ -107,6 +107,7 @@ TEST_F(PrecisionOfAProtocol, NamesTheValuesThatAreMissing) {
   EXPECT_TRUE(state().endsWith("comparisons, rougher: order, SD")) << state().toStdString();
   EXPECT_EQ(child<QLineEdit>(view_, kOrder).text(), "");
   EXPECT_EQ(source_of(kOrder), "not stated");
+  EXPECT_EQ(child<QSpinBox>(view_, "precision_participants").value(), 24) << "as planned";
   EXPECT_EQ(source_of("comparisons.rougher.lapse"), "assumed");
   EXPECT_EQ(child<QLineEdit>(view_, "comparisons.rougher.threshold").text(), "7.07") << "in µm";
   EXPECT_TRUE(is_still());

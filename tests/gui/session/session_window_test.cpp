@@ -107,6 +107,7 @@ TEST(SessionWindow, CancelsATrialWithTheMouseThatIsBeingPrepared) {
     } else {
       end.click();
     }
+    EXPECT_EQ(child<QLabel>(window, "stored").text(), "nothing is stored in the study");
     EXPECT_EQ(cancelled.size(), 1);
     EXPECT_FALSE(end.isEnabled());
     EXPECT_EQ(closed.size(), 0);
