@@ -77,6 +77,7 @@ void ProtocolEditorPage::save(Agreed agreed) {
   if (file_.empty() || as_it_is_ || save_task_.is_running()) return;
   views_->commit();
   question_->hide();
+  if (save_->hasFocus()) views_->return_focus();  // before it is disabled, which moves the focus on
   save_task_.run<Saving>(
       [file = file_, folder = study().folder(), written = content(), before = on_disk_, agreed,
        revision = edit_->document()->revision()](const std::stop_token&,

@@ -76,9 +76,10 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
     if (!is_modified) step_.clear();
   });
   connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &ProtocolViews::show_help);
+  // Wherever the focus is in the window; fields of text have their own.
   for (const auto key : {QKeySequence::Undo, QKeySequence::Redo}) {
-    auto* shortcut = new QShortcut(QKeySequence(key), form_);
-    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    auto* shortcut = new QShortcut(QKeySequence(key), this);
+    shortcut->setContext(Qt::WindowShortcut);
     connect(shortcut, &QShortcut::activated, this,
             [this, key] { undo_or_redo(key == QKeySequence::Undo); });
   }
@@ -238,6 +239,15 @@ void ProtocolViews::give_focus() {
     form_->setFocus();
   } else {
     edit_->setFocus();
+  }
+}
+
+void ProtocolViews::return_focus() {
+  QWidget* const used = view() == View::form ? form_->focusWidget() : edit_;
+  if (used != nullptr) {
+    used->setFocus();
+  } else {
+    give_focus();
   }
 }
 

@@ -49,6 +49,8 @@ class ProtocolViews final : public QWidget {
   void go_to_problem(std::size_t index);
   void find();
   void give_focus();
+  /// To the control of the view that had it last.
+  void return_focus();
 
   /// What is shown of a text.
   struct Shown {

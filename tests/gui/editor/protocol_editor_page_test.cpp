@@ -705,6 +705,34 @@ TEST_F(ProtocolEditor, SavesByCtrlS) {
   EXPECT_FALSE(asks());
 }
 
+TEST_F(ProtocolEditor, TakesBackAChangeWhereverTheFocusIs) {
+  open();
+  const std::string before = page_->content();
+  go_behind("\"planned\": 2");
+  type("1");
+  ASSERT_NE(page_->content(), before);
+  auto& button = child<QPushButton>(*page_, "editor_methods");
+  button.setFocus();
+  QTest::keyClick(&button, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(page_->content(), before);
+}
+
+TEST_F(ProtocolEditor, ReturnsTheFocusToTheFieldAfterAClickOnSave) {
+  open();
+  click("editor_to_form");
+  auto& form = child<ProtocolForm>(*page_, "editor_form");
+  form.go_to("/title");
+  QApplication::processEvents();
+  QWidget* const field = QApplication::focusWidget();
+  ASSERT_TRUE(form.isAncestorOf(field));
+  QTest::keyClicks(field, "x");
+  auto& save = child<QPushButton>(*page_, "editor_save");
+  save.setFocus();
+  save.click();
+  ASSERT_TRUE(saved());
+  EXPECT_EQ(QApplication::focusWidget(), field);
+}
+
 TEST_F(ProtocolEditor, CallsTheFileAfterTheNameThatItIsSavedUnder) {
   open();
   ASSERT_EQ(file_.filename(), "improved_recognition.json");
