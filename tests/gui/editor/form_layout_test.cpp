@@ -5,10 +5,12 @@
 #include <string>
 
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QScrollBar>
+#include <QtWidgets/QTableWidget>
 
 #include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
@@ -170,6 +172,52 @@ TEST_F(FormOfProtocol, ShowsNoHelpOfAFieldOfAnotherPage) {
   EXPECT_FALSE(help.text().isEmpty());
   form().show_page("device");
   EXPECT_TRUE(help.text().isEmpty()) << help.text().toStdString();
+}
+
+TEST_F(FormOfProtocol, ShowsNoHelpOfAFieldThatIsGone) {
+  open(library_text("semantic_differential"));
+  const auto& help = child<QLabel>(form(), "form_help");
+  form().go_to("/analysis/constructs/coarseness");
+  QApplication::processEvents();
+  const QString before = help.text();
+  EXPECT_FALSE(before.isEmpty());
+  child<QPushButton>(views_, "editor_to_form").setFocus();
+  EXPECT_EQ(help.text(), before);
+  nlohmann::json protocol = tree();
+  protocol["analysis"].erase("constructs");
+  views_.text().setPlainText(QString::fromStdString(protocol.dump(2)));
+  QApplication::processEvents();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_TRUE(help.text().isEmpty()) << help.text().toStdString();
+}
+
+TEST_F(FormOfProtocol, ShowsTheWholeHelpInTheRoomOfAFewLines) {
+  open(library_text("amplitude_jnd"));
+  const auto& help = child<QLabel>(form(), "form_help");
+  control<QComboBox>("/kind").setFocus();
+  QApplication::processEvents();
+  const auto& area = *qobject_cast<QScrollArea*>(help.parentWidget()->parentWidget());
+  EXPECT_GE(help.height(), help.heightForWidth(help.width())) << "no line is cut off";
+  EXPECT_GT(area.verticalScrollBar()->maximum(), 0);
+}
+
+TEST_F(FormOfProtocol, GoesByTabFromThePagesToTheFirstField) {
+  open(library_text("amplitude_jnd"));
+  auto& pages = child<QListWidget>(form(), "form_pages");
+  pages.setFocus();
+  QTest::keyClick(&pages, Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), &control<QLineEdit>("/title"));
+}
+
+TEST_F(FormOfProtocol, ShowsTheLevelsOfListedTrialsInFull) {
+  open(library_text("map_of_renderings"));
+  const auto& table = control<QTableWidget>("/blocks/familiarisation/listed");
+  for (int column = 0; column < table.columnCount(); ++column) {
+    const int needed = table.horizontalHeader()->sectionSizeHint(column);
+    EXPECT_GE(table.columnWidth(column), needed) << column;
+    const QFontMetrics letters(table.font());
+    EXPECT_GE(table.columnWidth(column), letters.horizontalAdvance(table.item(0, column)->text()));
+  }
 }
 
 // A problem of a field above it appears or is solved while something is typed.

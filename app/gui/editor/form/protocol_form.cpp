@@ -128,12 +128,17 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   area_->setAccessibleName(tr("Fields"));
   right->addWidget(area_, 1);
   used_ = std::make_unique<UsedControl>(*area_);
-  help_ = make_text({}, this, true);
+  auto* help_area = new QScrollArea(this);  // always as high: the fields above stay where they are
+  help_area->setWidgetResizable(true);
+  help_area->setFrameShape(QFrame::NoFrame);
+  help_area->setFocusPolicy(Qt::NoFocus);
+  help_ = make_text({}, help_area, true);
   help_->setObjectName("form_help");
   help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   help_->setFont(text_font(TextSize::small));
-  help_->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
-  right->addWidget(help_);
+  help_area->setWidget(help_);
+  help_area->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
+  right->addWidget(help_area);
   context_.edit = [this](const FormContext::Edit& change, const std::string& step) {
     return edit(change, step);
   };
@@ -342,6 +347,8 @@ void ProtocolForm::refresh() {
   context_.is_refreshing = false;
   if (std::exchange(context_.has_new_parts, false)) order_for_keyboard();
   content_->setEnabled(can_be_edited_ && !read_only_);
+  // A stop of the keyboard only where it has no other in the page, so that the page can be scrolled.
+  area_->setFocusPolicy(content_->isEnabled() ? Qt::ClickFocus : Qt::StrongFocus);
   if (!was_here || QApplication::focusWidget() == focused) return;
   // Qt gave the focus to any other control, which may be a button that removes something.
   area_->setFocus();
@@ -569,6 +576,10 @@ void ProtocolForm::show_help(const QWidget* control) {
     const auto* const part = qobject_cast<const FormPart*>(at);
     if (part == nullptr || part->meaning().isEmpty()) continue;
     help_->setText(part->meaning());
+    helped_ = part;
+    connect(part, &QObject::destroyed, help_, [this, part] {
+      if (helped_ == part) help_->clear();
+    });
     return;
   }
   help_->clear();

@@ -124,6 +124,7 @@ class ProtocolForm final : public QWidget {
   QPointer<QWidget> found_{};  ///< in which words are selected
   QWidget* content_ = nullptr;
   QLabel* help_ = nullptr;
+  const QObject* helped_ = nullptr;  ///< whose meaning is shown; may be gone, only to compare
 };
 
 }  // namespace asperity

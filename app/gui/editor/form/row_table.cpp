@@ -54,6 +54,9 @@ RowTable::RowTable(FormContext& context, const std::string& pointer, QWidget* pa
                           QAbstractItemView::EditKeyPressed);
   table_->setTabKeyNavigation(false);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // The rows are lower than the padding of headers of tables leaves room for.
+  table_->verticalHeader()->setStyleSheet("QHeaderView::section { padding: 0 4px; }");
   table_->setAccessibleName(tr("Trials"));
   setFocusProxy(table_);
   layout->addWidget(table_);
