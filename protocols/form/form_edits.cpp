@@ -6,6 +6,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -99,6 +100,24 @@ FormEdit with_own_names(FormEdit copied) {
     const JsonDocument protocol(copied.text, kEdited);
     copied.text = changed(copied.text, set_value(protocol, use.pointer, json_string(name)));
   }
+  return copied;
+}
+
+/// A copied texture has a code that no other has: the next one of T1, T2, …
+FormEdit with_own_code(FormEdit copied) {
+  const JsonDocument protocol(copied.text, kEdited);
+  const json& textures = value_at(protocol, parent_of(copied.pointer));
+  const json& own = value_at(protocol, copied.pointer);
+  if (!own.is_object() || !own.contains("code")) return copied;
+  std::set<std::string> taken{};
+  for (const json& texture : textures) {
+    if (texture.is_object()) taken.insert(texture.value("code", json()).dump());
+  }
+  std::string code{};
+  for (int number = 1; code.empty() || taken.contains(code); ++number) {
+    code = json_string("T" + std::to_string(number));
+  }
+  copied.text = changed(copied.text, set_value(protocol, pointer_to(copied.pointer, "code"), code));
   return copied;
 }
 
@@ -254,8 +273,9 @@ FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer) {
   const auto* const map = shape ? std::get_if<MapShape>(&*shape) : nullptr;
   const NameShape keys = map == nullptr ? NameShape{} : names_of_keys(*map, container);
   const std::string name = key_of_copy(protocol, container, keys, key_of(pointer));
-  return {changed(protocol.text(), duplicate_entry(protocol, pointer, name)),
-          pointer_to(container, name)};
+  FormEdit copied{changed(protocol.text(), duplicate_entry(protocol, pointer, name)),
+                  pointer_to(container, name)};
+  return container == "/textures" ? with_own_code(std::move(copied)) : copied;
 }
 
 FormEdit with_moved(const JsonDocument& protocol, const std::string& pointer, std::size_t index) {

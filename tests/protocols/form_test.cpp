@@ -217,7 +217,7 @@ TEST(FormEdits, TakeNoCommentForAnEntry) {
       R"({"textures": {"brick": {"code": "T1"}, "$comment": "mine", "x-note": 1}})";
   const FormEdit edit = with_entry(JsonDocument(text, ""), "/textures");
   EXPECT_EQ(edit.pointer, "/textures/brick_2");
-  EXPECT_EQ(json::parse(edit.text)["textures"]["brick_2"], json::parse(R"({"code": "T1"})"));
+  EXPECT_EQ(json::parse(edit.text)["textures"]["brick_2"], json::parse(R"({"code": "T2"})"));
 }
 
 TEST(FormEdits, StateANameThatIsAbsent) {
@@ -365,6 +365,14 @@ TEST(FormEdits, RemoveListedTrialsWithATextureAndNoStepThatDoesSomethingElse) {
   for (const std::string& entry : entries_of_names_in(sweep, {factor})) {
     EXPECT_FALSE(entry.starts_with("/flow")) << entry << ": the run of a block for each speed";
   }
+}
+
+TEST(FormEdits, GiveACopiedTextureItsOwnCode) {
+  const std::string text = test::library_text("semantic_differential");
+  const FormEdit edit = with_copy(JsonDocument(text, ""), "/textures/brick");
+  const json copy = json::parse(edit.text)[json::json_pointer(edit.pointer)];
+  EXPECT_EQ(copy["code"], "T11");
+  EXPECT_EQ(copy["height_field"], "stimuli/brick.png");
 }
 
 TEST(FormEdits, RemoveTheTestsOfABlockWithIt) {
