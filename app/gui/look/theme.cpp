@@ -142,6 +142,13 @@ QString style_sheet_of(const Theme& look) {
     QCheckBox::indicator:focus { border: 2px solid %press; }
     QCheckBox::indicator:disabled, QTableView::indicator:disabled, QListView::indicator:disabled {
       border-color: %line; background: %ground; }
+    QRadioButton { spacing: 8px; }
+    QRadioButton::indicator {
+      width: 16px; height: 16px; border: 1px solid %muted; border-radius: 9px; background: %panel; }
+    QRadioButton::indicator:checked {
+      width: 8px; height: 8px; border: 5px solid %press; background: %on_press; }
+    QRadioButton::indicator:unchecked:focus { width: 14px; height: 14px; border: 2px solid %press; }
+    QRadioButton::indicator:disabled { border-color: %line; background: %ground; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }
     QTableView:focus, QTreeView:focus, QListView:focus { border-color: %press; }
