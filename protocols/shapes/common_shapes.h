@@ -12,7 +12,7 @@ namespace asperity {
 inline constexpr DisplayUnit kMillimetres{.unit = "mm", .power = -3};
 
 /// The path of a file, relative to the study.
-inline constexpr TextShape kFile{.longest = 400};
+inline constexpr TextShape kFile{.longest = 400, .is_file = true};
 inline constexpr TextShape kParagraph{.longest = 8000, .is_long = true};
 /// Texts that participants read, and one that describes the protocol.
 inline constexpr TextShape kShownText{.translated = Translated::always};

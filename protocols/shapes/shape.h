@@ -105,6 +105,7 @@ struct TextShape {
   /// With a registry: the text is a name that can have any characters.
   NameShape name{};
   bool is_formula = false;  ///< it contains such names instead (arithmetic.h)
+  bool is_file = false;     ///< the path of a file, relative to the study
 };
 
 struct ListShape {

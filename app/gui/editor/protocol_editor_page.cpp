@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include <QtCore/QDir>
 #include <QtCore/QFileSystemWatcher>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QButtonGroup>
@@ -45,6 +46,16 @@ QString how_many_problems(std::size_t count) {
                     : ProtocolEditorPage::tr("%1 problems").arg(count);
 }
 
+/// The files that protocols name: reliefs, pictures, meshes and recordings, without their sidecars.
+QStringList stimuli_of(const std::filesystem::path& study) {
+  const std::string stimuli = "stimuli";
+  QStringList files{};
+  for (const QString& name : QDir(study / stimuli).entryList(QDir::Files, QDir::Name)) {
+    if (!name.endsWith(".json")) files.append(text(stimuli) + '/' + name);
+  }
+  return files;
+}
+
 }  // namespace
 
 ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
@@ -52,6 +63,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   setObjectName("editor_page");
   make_head();
   views_ = new ProtocolViews(declarations_of(study.models()), this);
+  views_->offer_files([folder = study.folder()] { return stimuli_of(folder); });
   edit_ = &views_->text();
   // One after the other: the focus takes the order in which widgets are made.
   QWidget* const edit_side = make_edit_side();

@@ -148,6 +148,10 @@ QWidget* ProtocolViews::make_text_view() {
   return view;
 }
 
+void ProtocolViews::offer_files(std::function<QStringList()> files) {
+  form_->offer_files(std::move(files));
+}
+
 ProtocolViews::View ProtocolViews::view() const {
   return stack_->currentIndex() == 0 ? View::form : View::text;
 }

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class ProtocolViews final : public QWidget {
   explicit ProtocolViews(std::vector<ModelDeclaration> models, QWidget* parent = nullptr);
   ~ProtocolViews() override;
 
+  /// See ProtocolForm.
+  void offer_files(std::function<QStringList()> files);
   void set_view(View view);
   View view() const;
   /// The form of a text that is JSON, else the text.

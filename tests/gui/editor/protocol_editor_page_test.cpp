@@ -13,6 +13,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QCompleter>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
@@ -731,6 +732,24 @@ TEST_F(ProtocolEditor, ReturnsTheFocusToTheFieldAfterAClickOnSave) {
   save.click();
   ASSERT_TRUE(saved());
   EXPECT_EQ(QApplication::focusWidget(), field);
+}
+
+TEST_F(ProtocolEditor, OffersTheFilesOfTheStudyWhereOneIsNamed) {
+  open();
+  click("editor_to_form");
+  auto& form = child<ProtocolForm>(*page_, "editor_form");
+  form.go_to("/textures/brick/height_field");
+  QApplication::processEvents();
+  const auto* const line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(line, nullptr);
+  ASSERT_NE(line->completer(), nullptr);
+  QStringList offered{};
+  const QAbstractItemModel& model = *line->completer()->model();
+  for (int row = 0; row < model.rowCount(); ++row) {
+    offered.append(model.index(row, 0).data().toString());
+  }
+  EXPECT_TRUE(offered.contains("stimuli/brick.png")) << offered.join(", ").toStdString();
+  EXPECT_FALSE(offered.contains("stimuli/brick.png.json"));
 }
 
 TEST_F(ProtocolEditor, CallsTheFileAfterTheNameThatItIsSavedUnder) {

@@ -95,8 +95,10 @@ class FieldMaker final {
     }
     if (shape.name.registry == kGroupNames) return (*this)(shape.name);
     if (shape.is_long) return new ParagraphField(context_, of_, pointer_, parent_);
-    return new TextField(context_, shape.is_formula ? NameShape{} : shape.name,
-                         TextField::Values::texts, of_, pointer_, parent_);
+    auto* field = new TextField(context_, shape.is_formula ? NameShape{} : shape.name,
+                                TextField::Values::texts, of_, pointer_, parent_);
+    if (shape.is_file && context_.files) field->offer(context_.files);
+    return field;
   }
   FormPart* operator()(const NameShape& shape) const {
     if (shape.is_declared) {

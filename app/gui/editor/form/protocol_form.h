@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -35,6 +36,8 @@ class ProtocolForm final : public QWidget {
   explicit ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget* parent = nullptr);
   ~ProtocolForm() override;
 
+  /// The files of the study, as paths in it, for the fields that name one.
+  void offer_files(std::function<QStringList()> files) { context_.files = std::move(files); }
   /// The fields show this text. One that is no JSON leaves them as they are, and none can be edited.
   void show_text(const std::string& text);
   bool can_be_edited() const noexcept { return can_be_edited_; }

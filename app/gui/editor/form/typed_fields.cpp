@@ -191,10 +191,12 @@ TextField::TextField(FormContext& context, const NameShape& offered, Values valu
   const NameShape shape =
       offered.registry.empty() && values == Values::levels ? NameShape{kLevelNames} : offered;
   if (shape.registry.empty()) return;
+  offer([this, shape] { return source().names_for(shape, this->pointer()); });
+}
+
+void TextField::offer(std::function<QStringList()> texts) {
   const auto take_shown = [this] { emit line().textEdited(line().text()); };
-  new OfferedNames(
-      line(), [this, shape] { return source().names_for(shape, this->pointer()); }, take_shown,
-      take_shown);
+  new OfferedNames(line(), std::move(texts), take_shown, take_shown);
 }
 
 QString TextField::shown(std::string_view characters) const {

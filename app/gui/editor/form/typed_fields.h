@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/gui/editor/form/form_fields.h"
@@ -60,6 +61,8 @@ class TextField final : public LineField {
   enum class Values { texts, levels };
   TextField(FormContext& context, const NameShape& offered, Values values, const FieldOf& of,
             const std::string& pointer, QWidget* parent);
+  /// Those that contain what is typed, and all with the down arrow key.
+  void offer(std::function<QStringList()> texts);
 
  private:
   QString shown(std::string_view characters) const override;
