@@ -576,10 +576,8 @@ void ProtocolForm::show_help(const QWidget* control) {
     const auto* const part = qobject_cast<const FormPart*>(at);
     if (part == nullptr || part->meaning().isEmpty()) continue;
     help_->setText(part->meaning());
-    helped_ = part;
-    connect(part, &QObject::destroyed, help_, [this, part] {
-      if (helped_ == part) help_->clear();
-    });
+    disconnect(helped_);
+    helped_ = connect(part, &QObject::destroyed, help_, &QLabel::clear);
     return;
   }
   help_->clear();

@@ -127,7 +127,7 @@ class ProtocolForm final : public QWidget {
   QPointer<QWidget> found_{};  ///< in which words are selected
   QWidget* content_ = nullptr;
   QLabel* help_ = nullptr;
-  const QObject* helped_ = nullptr;  ///< whose meaning is shown; may be gone, only to compare
+  QMetaObject::Connection helped_{};  ///< to the part whose meaning is shown, until it is gone
 };
 
 }  // namespace asperity
