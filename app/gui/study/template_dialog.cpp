@@ -393,10 +393,11 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
           try {
             const CheckedTemplate made = check_of_template(study, choice, models, kept.get());
             all.back().check = made.check;
-            if (const std::vector<Diagnostic>& problems = made.check.diagnostics;
-                !problems.empty()) {
-              all.back().problem = remark_in_form(nlohmann::json::parse(made.text, nullptr, false),
-                                                  problems.front());
+            const bool is_valid = made.check.diagnostics.empty();
+            const auto& remarks = is_valid ? made.check.warnings : made.check.diagnostics;
+            if (!remarks.empty()) {
+              all.back().remark =
+                  remark_in_form(nlohmann::json::parse(made.text, nullptr, false), remarks.front());
             }
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);
@@ -436,11 +437,15 @@ void TemplateDialog::take(const Checked& checked) {
         State::stop,
         tr("With these textures no protocol can be created: %1").arg(text(checked.refusal)));
   } else if (problems.empty()) {
-    state_->set_state(
-        State::fine,
-        tr("With these textures the protocol is valid: %1.").arg(text_of_cost(checked.check.cost)));
+    const QString valid =
+        tr("With these textures the protocol is valid: %1.").arg(text_of_cost(checked.check.cost));
+    if (checked.remark.isEmpty()) {
+      state_->set_state(State::fine, valid);
+    } else {
+      state_->set_state(State::look, valid + ' ' + tr("Warning: %1").arg(checked.remark));
+    }
   } else {
-    const QString& what = checked.problem;
+    const QString& what = checked.remark;
     state_->set_state(State::look,
                       problems.size() == 1
                           ? tr("With these textures the protocol has a problem: %1").arg(what)

@@ -52,7 +52,7 @@ class TemplateDialog final : public QDialog {
   struct Checked {
     TemplateChoice choice{};
     ProtocolCheck check{};
-    QString problem{};      ///< the first one, in words of the form; empty: none
+    QString remark{};       ///< the first problem, or else the first warning, in words of the form
     std::string refusal{};  ///< why no protocol can be made with them; empty: one can
   };
 

@@ -18890,8 +18890,8 @@
 %4 · %5</translation>
     </message>
     <message>
-        <source>the first of %1 questions; the others are below</source>
-        <translation>die erste von %1 Fragen; die anderen stehen darunter</translation>
+        <source>the first of %1 questions</source>
+        <translation>die erste von %1 Fragen</translation>
     </message>
 </context>
 <context>
@@ -24971,6 +24971,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>With these textures the protocol is valid: %1.</source>
         <translation>Mit diesen Texturen ist das Protokoll gültig: %1.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
     </message>
 </context>
 <context>

@@ -75,6 +75,10 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_TRUE(create.isEnabled()) << "it can be corrected in the form";
   take_screenshot(dialog, "template-dialog-problem", {1120, 700});
 
+  templates.select("map_of_textures");
+  EXPECT_TRUE(shows("▲ With these textures the protocol is valid: ")) << state().toStdString();
+  EXPECT_TRUE(state().contains("requires at least 9 surfaces")) << state().toStdString();
+
   templates.select("roughness_force");
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
   EXPECT_TRUE(own.isChecked());
