@@ -281,6 +281,40 @@ TEST_F(FormOfProtocol, KeepsTheFieldInUseWhereThePointerRests) {
   EXPECT_EQ(field.mapTo(&views_, QPoint()), before);
 }
 
+TEST_F(FormOfProtocol, KeepsThePagesInTheirPlacesWhenProblemsAppear) {
+  for (const char* language : {"de", "en"}) {
+    apply_language(language);
+    ProtocolViews views(declarations_of(built_in_models()));
+    views.show();
+    views.text().setPlainText(QString::fromStdString(library_text("amplitude_jnd")));
+    views.show_form_if_possible();
+    const auto& pages = child<QListWidget>(views, "form_pages");
+    const auto places = [&] {
+      QApplication::processEvents();
+      std::vector<int> tops{};
+      for (int row = 0; row < pages.count(); ++row) {
+        tops.push_back(pages.visualItemRect(pages.item(row)).bottom());
+      }
+      return tops;
+    };
+    for (const int width : {900, 650, 590}) {
+      views.resize(width, 700);
+      views.show_problems({}, {});
+      const std::vector<int> before = places();
+      std::vector<Diagnostic> problems{};
+      for (const FormPage& page : form_pages()) {
+        Diagnostic problem{};
+        problem.pointer = "/" + std::string(page.parts.empty() ? "title" : page.parts.front().key);
+        problem.message = "a problem";
+        problems.push_back(problem);
+      }
+      views.show_problems({}, problems);
+      EXPECT_EQ(places(), before) << language << " " << width;
+    }
+    take_screenshot(views, language == std::string("de") ? "german-pages" : "pages", {650, 700});
+  }
+}
+
 TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
   Diagnostic problem{};
   problem.pointer = "/flow/0";

@@ -39,7 +39,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPagesWidth = 208;
-constexpr int kLeastPagesWidth = 144;
+constexpr int kLeastPagesWidth = 160;
 /// Around the name of a page, with a scroll bar next to it.
 constexpr int kAroundPageName = 40;
 /// Of a form that has room for the names of the pages in a line each.
@@ -56,6 +56,11 @@ void collect_controls(QLayout& layout, std::vector<QWidget*>& controls) {
     if ((widget->focusPolicy() & Qt::TabFocus) != 0) controls.push_back(widget);
     if (widget->layout() != nullptr) collect_controls(*widget->layout(), controls);
   }
+}
+
+/// The name of a page with the number of its problems and the mark of the worst.
+QString counted(const QString& label, State worst, std::size_t remarks) {
+  return QString("%1  %2\u00A0%3").arg(label, shape_of(worst)).arg(remarks);
 }
 
 /// Never a button that removes something, which may belong to another value now.
@@ -190,13 +195,18 @@ void ProtocolForm::resizeEvent(QResizeEvent* event) {
   used_->keep(content_);
 }
 
-/// The list itself wraps a name only some time after its width has changed.
+/// The list itself wraps a name only some time after its width has changed. A name has the height that it has with a number of
+/// problems, so that no other moves away under the pointer when the number comes or goes.
 void ProtocolForm::fit_pages() {
   const QFontMetrics letters(pages_->font());
   const QRect room(0, 0, pages_->width() - kAroundPageName, QWIDGETSIZE_MAX);
   for (int row = 0; row < pages_->count(); ++row) {
     QListWidgetItem& item = *pages_->item(row);
-    const int height = letters.boundingRect(room, Qt::TextWordWrap, item.text()).height();
+    const QString label = text_of_keys(form_pages()[static_cast<std::size_t>(row)].label);
+    const auto height_of = [&](const QString& name) {
+      return letters.boundingRect(room, Qt::TextWordWrap, name).height();
+    };
+    const int height = std::max(height_of(item.text()), height_of(counted(label, State::look, 9)));
     item.setSizeHint({room.width(), height + kGrid});
   }
 }
@@ -457,9 +467,7 @@ void ProtocolForm::count_problems() {
     const QString label = text_of_keys(form_pages()[i].label);
     pages_->item(static_cast<int>(i))
         ->setText(counts[i].remarks == 0 ? label
-                                         : QString("%1  %2\u00A0%3")
-                                               .arg(label, shape_of(counts[i].worst))
-                                               .arg(counts[i].remarks));
+                                         : counted(label, counts[i].worst, counts[i].remarks));
   }
   fit_pages();
 }
