@@ -106,7 +106,8 @@ FormEdit with_own_names(FormEdit copied) {
 /// A copied texture has a code that no other has: the next one of T1, T2, …
 FormEdit with_own_code(FormEdit copied) {
   const JsonDocument protocol(copied.text, kEdited);
-  const json& textures = value_at(protocol, parent_of(copied.pointer));
+  const std::string container = parent_of(copied.pointer);
+  const json& textures = value_at(protocol, container);
   const json& own = value_at(protocol, copied.pointer);
   if (!own.is_object() || !own.contains("code")) return copied;
   std::set<std::string> taken{};
