@@ -112,8 +112,7 @@ class OutcomeColumn final {
                                people_text(static_cast<int>(outcome_.count.participants)),
                                answers_text(static_cast<int>(outcome_.answers)))};
     if (outcome_.questions.size() > 1) {
-      facts << OutcomeText::tr("the first of %1 questions")
-                   .arg(outcome_.questions.size());
+      facts << OutcomeText::tr("the first of %1 questions").arg(outcome_.questions.size());
     }
     layout_->addWidget(make_text(facts.join(" · "), page_, true));
     for (const Phrase& remark : outcome_.remarks) {
