@@ -178,8 +178,11 @@ std::string without_unreached_breaks(const std::string& text, const std::string&
     const nlohmann::json::json_pointer place(warning.pointer);
     if (place.empty() || place.back() != "break_every_trials") continue;
     removed.push_back(warning.pointer);
-    const nlohmann::json step = root.at(place.parent_pointer());
-    if (step.contains("pause") && !step.contains("break_every_contact_minutes")) {
+    // The rest is also that after a time of contact, and between the runs of a block.
+    const nlohmann::json& step = root.at(place.parent_pointer());
+    const bool is_needed =
+        step.contains("break_every_contact_minutes") || step.contains("for_each");
+    if (step.contains("pause") && !is_needed) {
       removed.push_back((place.parent_pointer() / "pause").to_string());
     }
   }

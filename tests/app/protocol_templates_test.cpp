@@ -290,6 +290,22 @@ TEST_F(ProtocolFromTemplate, IsValidWithThreeTexturesOfTheStudy) {
   }
 }
 
+TEST_F(ProtocolFromTemplate, KeepsTheRestBetweenTheRunsOfABlock) {
+  for (const char* const name : {"a", "b", "c"}) add_relief(name);
+  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b", "c"});
+  for (const char* const name : {"roughness_diameter", "roughness_force", "roughness_speed"}) {
+    int runs = 0;
+    const auto made = nlohmann::json::parse(text_from_template(with(own, name)));
+    for (const nlohmann::json& step : made["flow"]) {
+      if (!step.contains("for_each")) continue;
+      ++runs;
+      EXPECT_FALSE(step.contains("break_every_trials")) << name;
+      EXPECT_EQ(step.value("/pause/minimum_s"_json_pointer, 0), 120) << name;
+    }
+    EXPECT_EQ(runs, 1) << name;
+  }
+}
+
 TEST_F(ProtocolFromTemplate, HasNoOrderThatFewTexturesCannotHave) {
   for (const char* const name : {"a", "b", "c"}) add_relief(name);
   const std::vector<OwnTexture> all = named(reliefs_of_study(study_), {"a", "b", "c"});

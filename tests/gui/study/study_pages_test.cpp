@@ -94,7 +94,7 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_TRUE(create.isEnabled());
   tick_only(dialog, {"brick", "metal"});
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
-  EXPECT_TRUE(state().contains("25 trials, about 8 min.")) << state().toStdString();
+  EXPECT_TRUE(state().contains("25 trials, about 12 min.")) << state().toStdString();
   EXPECT_EQ(list.mapTo(&dialog, QPoint()).y(), place) << "the next click hits what it aims at";
 
   // Closing does not wait for the check that runs.
