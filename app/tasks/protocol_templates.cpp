@@ -118,11 +118,12 @@ std::string with_demo_stimuli(std::string text, const std::filesystem::path& stu
 }
 
 /// Without the levels that are force models which need files that reliefs do not have, such as recordings.
-std::string without_models_of_files(std::string text, const std::string& name) {
+std::string without_models_of_files(std::string text, const std::string& name,
+                                    const std::vector<ModelDeclaration>& models) {
   const JsonDocument protocol(text, name);
   const ProtocolNames names = names_in(protocol.root());
   std::vector<std::string> removed{};
-  for (const ModelDeclaration& model : declarations_of(built_in_models())) {
+  for (const ModelDeclaration& model : models) {
     if (model.assets.empty()) continue;
     for (const NameUse& use : uses_of(names, std::string(kModelNames), model.id)) {
       if (use.is_declared) removed.push_back(use.pointer);
@@ -167,9 +168,9 @@ std::string with_estimated_stimuli(std::string text, const std::string& name) {
 }
 
 /// Without breaks after more trials than runs of fewer stimuli have.
-std::string without_unreached_breaks(const std::string& text, const std::string& name) {
-  const ProtocolReading reading =
-      read_protocol_with_problems(text, name, declarations_of(built_in_models()));
+std::string without_unreached_breaks(const std::string& text, const std::string& name,
+                                     const std::vector<ModelDeclaration>& models) {
+  const ProtocolReading reading = read_protocol_with_problems(text, name, models);
   if (!reading.protocol || !reading.problems.empty()) return text;
   std::vector<std::string> removed{};
   const nlohmann::json root = nlohmann::json::parse(text);
@@ -229,9 +230,11 @@ std::string text_from_template(const TemplateChoice& choice) {
     text = with_value(JsonDocument(text, choice.name), "/title", title).text;
   }
   if (choice.textures.from != TemplateTextures::From::study) return text;
+  const std::vector<ModelDeclaration> models = declarations_of(built_in_models());
   text = with_textures(JsonDocument(text, choice.name), choice.textures.own);
-  text = with_estimated_stimuli(without_models_of_files(std::move(text), choice.name), choice.name);
-  return without_unreached_breaks(text, choice.name);
+  text = without_models_of_files(std::move(text), choice.name, models);
+  text = with_estimated_stimuli(std::move(text), choice.name);
+  return without_unreached_breaks(text, choice.name, models);
 }
 
 CheckedTemplate check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
