@@ -126,7 +126,7 @@ TEST_F(SessionLanguage, IsStoredWithTheTextsThatTheParticipantRead) {
 TEST_F(SessionLanguage, IsNotAnotherTextButAChangedTranslationIs) {
   ASSERT_EQ(run("p1", german_).state, SessionState::completed);
   const auto use_of = [this](const std::filesystem::path& file) {
-    return other_text_of_version(study(), protocol_source(file).text, SessionsOf::everybody);
+    return other_text_of_version(study(), protocol_source(file).text);
   };
   EXPECT_FALSE(use_of(file_));
   EXPECT_FALSE(use_of(german_));

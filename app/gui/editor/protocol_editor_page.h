@@ -115,7 +115,7 @@ class ProtocolEditorPage final : public StudyPage {
   void save(Agreed agreed);
   void end_saving(const Saving& saving);
   void ask_about_theirs(const std::string& theirs, Then then);
-  void ask_about_version(const VersionUse& use, bool only_simulated);
+  void ask_about_version(const VersionUse& use);
   void raise_version();
   void leave();
   void watch_file();

@@ -43,7 +43,6 @@ struct ProtocolEditorPage::Saving {
   int revision = 0;                     ///< of the text that was written
   std::optional<std::string> theirs{};  ///< the text of another program: nothing was written
   std::optional<VersionUse> use{};  ///< the version stands for another text: nothing was written
-  bool only_simulated = false;      ///< in sessions of virtual participants only
   std::string not_looked_up{};      ///< why it is not known whether it does
 };
 
@@ -93,10 +92,6 @@ void ProtocolEditorPage::save(Agreed agreed) {
           try {
             const Study own = Study::open(folder, Access::read_only);
             saving.use = other_text_of_version(own, written);
-            if (!saving.use) {
-              saving.use = other_text_of_version(own, written, SessionsOf::everybody);
-              saving.only_simulated = saving.use.has_value();
-            }
           } catch (const std::exception& error) {
             saving.not_looked_up = message_of(error);  // no reason to lose what was typed
           }
@@ -126,7 +121,7 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
     if (saving.theirs) {
       ask_about_theirs(*saving.theirs, Then::save);
     } else {
-      ask_about_version(*saving.use, saving.only_simulated);
+      ask_about_version(*saving.use);
     }
     return;
   }
@@ -177,7 +172,7 @@ void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) 
                    }}});
 }
 
-void ProtocolEditorPage::ask_about_version(const VersionUse& use, bool only_simulated) {
+void ProtocolEditorPage::ask_about_version(const VersionUse& use) {
   const QString version = text(use.version);
   const QString next = raised(version);
   std::vector<QuestionBar::Answer> answers{};
@@ -193,7 +188,7 @@ void ProtocolEditorPage::ask_about_version(const VersionUse& use, bool only_simu
                        then_ = {};
                        views_->give_focus();
                      }});
-  if (only_simulated) {
+  if (use.of_people == 0) {
     question_->ask(
         tr("Sessions simulated with another text of version %1: %2. They would be analysed "
            "together with new ones; raise the version to keep the data apart.")
@@ -202,13 +197,13 @@ void ProtocolEditorPage::ask_about_version(const VersionUse& use, bool only_simu
         answers);
     return;
   }
-  question_->ask(use.sessions == 1 ? tr("One session was run with another text of version %1; "
-                                        "raise the version to keep the data apart.")
-                                         .arg(version)
-                                   : tr("%1 sessions were run with another text of version %2; "
-                                        "raise the version to keep the data apart.")
-                                         .arg(use.sessions)
-                                         .arg(version),
+  question_->ask(use.of_people == 1 ? tr("One session was run with another text of version %1; "
+                                         "raise the version to keep the data apart.")
+                                          .arg(version)
+                                    : tr("%1 sessions were run with another text of version %2; "
+                                         "raise the version to keep the data apart.")
+                                          .arg(use.of_people)
+                                          .arg(version),
                  answers);
 }
 

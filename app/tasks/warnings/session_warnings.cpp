@@ -18,8 +18,7 @@
 
 namespace asperity {
 
-std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text,
-                                                SessionsOf counted) {
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
   const auto said = [&json](const char* key) {
@@ -27,7 +26,7 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string{};
   };
   const std::string name = said("name");
-  VersionUse use{said("version"), 0};
+  VersionUse use{.version = said("version")};
   if (name.empty() || use.version.empty()) return {};
   std::set<std::int64_t> others{};
   for (const ProtocolRow& row : study.protocols()) {
@@ -37,9 +36,9 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
     }
   }
   for (const SessionRow& session : study.sessions()) {
-    const bool is_counted =
-        counted == SessionsOf::everybody || session.mode != SessionMode::simulate;
-    if (is_counted && others.contains(session.protocol_id)) ++use.sessions;
+    if (!others.contains(session.protocol_id)) continue;
+    ++use.sessions;
+    if (session.mode != SessionMode::simulate) ++use.of_people;
   }
   if (use.sessions == 0) return {};
   return use;
@@ -47,16 +46,14 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
 
 std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study) {
-  const auto use = other_text_of_version(study, protocol.source, SessionsOf::everybody);
+  const auto use = other_text_of_version(study, protocol.source);
   if (!use) return {};
-  const bool is_of_people =
-      other_text_of_version(study, protocol.source, SessionsOf::people).has_value();
   const Phrase sessions =
       (use->sessions == 1 ? phrase("Protocols", "%1 session") : phrase("Protocols", "%1 sessions"))
           .with(std::to_string(use->sessions));
   return JsonDocument(protocol.source, file_name)
       .at_key("/version",
-              (is_of_people
+              (use->of_people > 0
                    ? phrase("Protocols",
                             "the study has %1 of %2 with another text of the protocol; their "
                             "responses would be analysed together with new ones; give the changed "

@@ -16,18 +16,16 @@ namespace asperity {
 
 class Study;
 
-/// The sessions that are counted as uses of a protocol.
-enum class SessionsOf { people, everybody };
 /// Sessions that were run with this protocol's name and version, but with another text. The same
 /// protocol in another language is not another text.
 struct VersionUse {
   std::string version{};
-  int sessions = 0;
+  int sessions = 0;   ///< of people and of virtual participants
+  int of_people = 0;  ///< of these
 };
 /// Nothing where there are none, or where the text contains no name and version. Errors:
 /// ResultsError as for Study.
-std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text,
-                                                SessionsOf counted = SessionsOf::people);
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text);
 /// The warning that such sessions, those of virtual participants included, are analysed together with
 /// new ones, at the key "version": analyses select sessions by name and version, and only the SHA-256 of the
 /// protocol distinguishes them. Errors as for `other_text_of_version`.
