@@ -189,7 +189,9 @@ std::vector<std::string> entries_naming(const JsonDocument& protocol, const Prot
     const bool is_named =
         std::ranges::any_of(declared, [&](const NameUse* one) { return names_it(use, *one); });
     if (!is_named) continue;
-    if (const auto entry = entry_about(protocol, use.pointer)) entries.push_back(*entry);
+    const auto entry = entry_about(protocol, use.pointer);
+    // A listed trial can name it twice.
+    if (entry && std::ranges::count(entries, *entry) == 0) entries.push_back(*entry);
   }
   return entries;
 }

@@ -367,6 +367,17 @@ TEST(FormEdits, RemoveListedTrialsWithATextureAndNoStepThatDoesSomethingElse) {
   }
 }
 
+TEST(FormEdits, NameAListedTrialOnceThatHasATextureTwice) {
+  json file = json::parse(test::library_text("map_of_textures"));
+  json& block = file["blocks"]["familiarisation"];
+  block.erase("crossed");
+  block.erase("drawn");
+  block["listed"] = json::parse(R"([{"familiar_1": "metal", "familiar_2": "metal"}])");
+  const std::string text = file.dump();
+  const auto entries = entries_of_names_in(JsonDocument(text, ""), {"/textures/metal"});
+  EXPECT_EQ(std::ranges::count(entries, "/blocks/familiarisation/listed/0"), 1);
+}
+
 TEST(FormEdits, GiveACopiedTextureItsOwnCode) {
   const std::string text = test::library_text("semantic_differential");
   const FormEdit edit = with_copy(JsonDocument(text, ""), "/textures/brick");
