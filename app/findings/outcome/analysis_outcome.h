@@ -110,8 +110,7 @@ enum class FamilyDeclaration {
 struct AnalysisOutcome {
   std::string protocol{};
   std::string version{};
-  std::string
-      title{};  ///< of the protocol, as the session stores it that is read last; can be empty
+  std::string title{};  ///< of the protocol, in the session that is read last; can be empty
   std::string kind{};
   std::string design{};
   AnswerGroup group = AnswerGroup::people;

@@ -234,10 +234,10 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
     } else if (const StudyAnalysis* const analysis = find_analysis(gathered.kind)) {
       analysis->analyze(gathered, outcome);
       // The main question of a study whose declared tests all compare groups.
-      const bool compares_groups =
-          !family.empty() && std::ranges::all_of(family, [](const std::string& test) {
-            return test == kGroupsTest || test == kGroupProfilesTest;
-          });
+      const bool compares_groups = outcome.family == FamilyDeclaration::declared &&
+                                   std::ranges::all_of(family, [](const std::string& test) {
+                                     return test == kGroupsTest || test == kGroupProfilesTest;
+                                   });
       if (compares_groups) {
         std::ranges::stable_partition(outcome.questions, [](const AnsweredQuestion& question) {
           return question.name.starts_with("group");
