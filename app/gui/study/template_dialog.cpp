@@ -273,6 +273,10 @@ const TemplateOverview* TemplateDialog::chosen() const {
   return nullptr;
 }
 
+const Protocol& TemplateDialog::chosen_in_language() const {
+  return chosen()->protocols[static_cast<std::size_t>(language_->currentIndex())];
+}
+
 void TemplateDialog::show_chosen() {
   const TemplateOverview* const overview = chosen();
   const bool has_textures = overview != nullptr && !overview->textures.names.empty();
@@ -298,8 +302,8 @@ QString TemplateDialog::text_of_cost(const PlanCost& cost) {
   return tr("%n trial(s), about %1", nullptr, cost.trials).arg(text_of_duration(cost.total_s));
 }
 
-/// The method and the name. The cost is that of the template where no textures are chosen; otherwise the line below them states it,
-/// so that nothing above them moves while they are ticked.
+/// The method and the name. Where textures can be chosen, the line below them states the cost, so that nothing above them moves while
+/// they are ticked; otherwise it is that of the template.
 void TemplateDialog::show_facts(bool has_choice) {
   const TemplateOverview& overview = *chosen();
   QStringList facts{text_of_kind(overview.protocols.front().kind)};
@@ -322,8 +326,7 @@ void TemplateDialog::offer_languages(const TemplateOverview& overview) {
 /// The title, unless another one was written for this template, the description and the screens, in the language of the new
 /// protocol.
 void TemplateDialog::show_texts() {
-  const auto language = static_cast<std::size_t>(language_->currentIndex());
-  const Protocol& protocol = chosen()->protocols[language];
+  const Protocol& protocol = chosen_in_language();
   title_->setText(text(protocol.title));
   const auto written = own_titles_.find(chosen()->name);
   own_title_->setText(written == own_titles_.end() ? text(protocol.title) : written->second);
@@ -332,8 +335,8 @@ void TemplateDialog::show_texts() {
   show_screens(protocol);
 }
 
-/// Ticks as many textures of the study as the template has, with pictures where those of the template have some, and chooses these or the template's: the first with which the
-/// protocol is valid. Until that is known none is chosen.
+/// Ticks as many textures of the study as the template has, with pictures where those of the template have some, and chooses these
+/// or the template's: the first with which the protocol is valid. Until that is known none is chosen.
 void TemplateDialog::choose_textures() {
   const TemplateOverview* const overview = chosen();
   std::vector<TemplateTextures> possible{};
@@ -379,7 +382,8 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
   is_checking_ = !possible.empty();
   state_->setVisible(!possible.empty());
   show_what_follows();
-  if (chosen() != nullptr) show_facts(!chosen()->textures.names.empty());
+  const bool has_choice = !surfaces_->isHidden() && (own_->isEnabled() || copied_->isEnabled());
+  if (chosen() != nullptr) show_facts(has_choice);
   if (possible.empty()) return;
   state_->set_state(State::unknown, tr("Checking…"));
   std::vector<TemplateChoice> choices{};
@@ -429,9 +433,9 @@ void TemplateDialog::take(const Checked& checked) {
   is_checking_ = false;
   is_refused_ = !checked.refusal.empty();
   const std::vector<Diagnostic>& problems = checked.check.diagnostics;
-  // The textures of the template are not in the study yet, and the first screen of it is shown already.
+  // The pictures of the template are not in the study yet, and a protocol with problems has no screens.
   const bool is_own = checked.choice.textures.from == TemplateTextures::From::study;
-  if (is_own && checked.check.protocol) show_screens(*checked.check.protocol);
+  show_screens(is_own && checked.check.protocol ? *checked.check.protocol : chosen_in_language());
   if (is_refused_) {
     state_->set_state(
         State::stop,

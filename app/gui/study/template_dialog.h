@@ -72,6 +72,8 @@ class TemplateDialog final : public QDialog {
   void take(const Checked& checked);
   void show_what_follows();
   const TemplateOverview* chosen() const;
+  /// In the language of the new protocol.
+  const Protocol& chosen_in_language() const;
   TemplateChoice choice_of(const TemplateTextures& textures) const;
   TemplateTextures textures() const;
   const OwnTexture& relief_of(const QListWidgetItem& item) const;

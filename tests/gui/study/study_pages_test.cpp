@@ -47,6 +47,7 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   auto& templates = child<StudyTable>(dialog, "template_table");
   ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 26; }));
   const auto& own = child<QRadioButton>(dialog, "template_own");
+  auto& copied = child<QRadioButton>(dialog, "template_copied");
   const auto state = [&] {
     const QString html = child<QLabel>(dialog, "template_state").text();
     return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
@@ -74,6 +75,10 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_TRUE(state().contains(": Task › ")) << "the page of the form, not /blocks";
   EXPECT_TRUE(create.isEnabled()) << "it can be corrected in the form";
   take_screenshot(dialog, "template-dialog-problem", {1120, 700});
+
+  copied.click();
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(create.isEnabled());
 
   templates.select("map_of_textures");
   EXPECT_TRUE(shows("▲ With these textures the protocol is valid: ")) << state().toStdString();
