@@ -148,6 +148,7 @@ QString style_sheet_of(const Theme& look) {
     QRadioButton::indicator:checked {
       width: 8px; height: 8px; border: 5px solid %press; background: %on_press; }
     QRadioButton::indicator:unchecked:focus { width: 14px; height: 14px; border: 2px solid %press; }
+    QRadioButton::indicator:checked:focus { border-color: %text; }
     QRadioButton::indicator:disabled { border-color: %line; background: %ground; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }

@@ -199,6 +199,9 @@ TEST_F(FormOfProtocol, ShowsTheWholeHelpInTheRoomOfAFewLines) {
   const auto& area = *qobject_cast<QScrollArea*>(help.parentWidget()->parentWidget());
   EXPECT_GE(help.height(), help.heightForWidth(help.width())) << "no line is cut off";
   EXPECT_GT(area.verticalScrollBar()->maximum(), 0);
+  area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
+  control<QComboBox>("/design").setFocus();
+  EXPECT_EQ(area.verticalScrollBar()->value(), 0) << "another help begins at its beginning";
 }
 
 TEST_F(FormOfProtocol, GoesByTabFromThePagesToTheFirstField) {

@@ -133,17 +133,17 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   area_->setAccessibleName(tr("Fields"));
   right->addWidget(area_, 1);
   used_ = std::make_unique<UsedControl>(*area_);
-  auto* help_area = new QScrollArea(this);  // always as high: the fields above stay where they are
-  help_area->setWidgetResizable(true);
-  help_area->setFrameShape(QFrame::NoFrame);
-  help_area->setFocusPolicy(Qt::NoFocus);
-  help_ = make_text({}, help_area, true);
+  help_area_ = new QScrollArea(this);  // always as high: the fields above stay where they are
+  help_area_->setWidgetResizable(true);
+  help_area_->setFrameShape(QFrame::NoFrame);
+  help_area_->setFocusPolicy(Qt::NoFocus);
+  help_ = make_text({}, help_area_, true);
   help_->setObjectName("form_help");
   help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   help_->setFont(text_font(TextSize::small));
-  help_area->setWidget(help_);
-  help_area->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
-  right->addWidget(help_area);
+  help_area_->setWidget(help_);
+  help_area_->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
+  right->addWidget(help_area_);
   context_.edit = [this](const FormContext::Edit& change, const std::string& step) {
     return edit(change, step);
   };
@@ -584,6 +584,7 @@ void ProtocolForm::show_help(const QWidget* control) {
     const auto* const part = qobject_cast<const FormPart*>(at);
     if (part == nullptr || part->meaning().isEmpty()) continue;
     help_->setText(part->meaning());
+    help_area_->verticalScrollBar()->setValue(0);
     disconnect(helped_);
     helped_ = connect(part, &QObject::destroyed, help_, &QLabel::clear);
     return;

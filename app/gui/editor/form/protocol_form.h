@@ -36,7 +36,7 @@ class ProtocolForm final : public QWidget {
   explicit ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget* parent = nullptr);
   ~ProtocolForm() override;
 
-  /// The files of the study, as paths in it, for the fields that name one.
+  /// The paths that fields of files offer, relative to the study.
   void offer_files(std::function<QStringList()> files) { context_.files = std::move(files); }
   /// The fields show this text. One that is no JSON leaves them as they are, and none can be edited.
   void show_text(const std::string& text);
@@ -126,6 +126,7 @@ class ProtocolForm final : public QWidget {
   QPointer<QWidget> marked_{};
   QPointer<QWidget> found_{};  ///< in which words are selected
   QWidget* content_ = nullptr;
+  QScrollArea* help_area_ = nullptr;
   QLabel* help_ = nullptr;
   QMetaObject::Connection helped_{};  ///< to the part whose meaning is shown, until it is gone
 };
