@@ -39,7 +39,7 @@ struct FormContext {
   std::function<void(const std::string& pointer)> show_in_text{};
   /// Shows the page with the value, whose field gets the focus.
   std::function<void(const std::string& pointer)> go_to{};
-  /// The paths of the files of the study that a value can name; empty where there is no study.
+  /// The paths that fields of files offer, relative to the study; empty where there is no study.
   std::function<QStringList()> files{};
   /// Shows all parts again, of which some are unfolded.
   std::function<void()> refresh{};
